@@ -212,13 +212,13 @@ std::string comparison_markdown(const StoredStudy& A, const StoredStudy& B, cons
   page += "| Case | B against A | Error A | Error B | B/A | Cost A | Cost B | B/A | Noise |\n";
   page += "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const ComparedCase& one : found.cases) {
-    page += markdown_line({cell(one.label), cell(joined(words_of(one))), cell(one.error.before), cell(one.error.after),
-                           ratio_text(one.error), cell(one.cost.before), cell(one.cost.after), ratio_text(one.cost),
-                           noise_text(one)});
+    page += study_page::markdown_line({cell(one.label), cell(joined(words_of(one))), cell(one.error.before),
+                                       cell(one.error.after), ratio_text(one.error), cell(one.cost.before),
+                                       cell(one.cost.after), ratio_text(one.cost), noise_text(one)});
   }
   if (!found.digits.empty()) page += "\n| Error | Cheapest in A | Cheapest in B | |\n| --- | --- | --- | --- |\n";
   for (const ComparedDigit& digit : found.digits)
-    page += markdown_line({rounded_text(digit.error, 3), cell(digit.a), cell(digit.b), change_text(digit)});
+    page += study_page::markdown_line({rounded_text(digit.error, 3), cell(digit.a), cell(digit.b), change_text(digit)});
   if (!found.expectations.empty()) page += "\n";
   for (const ComparedExpectation& one : found.expectations)
     page += std::string(one.mended ? "- holds again: " : "- **fails now**: ") + one_line(one.where) + ": `" + one.key +

@@ -19,9 +19,8 @@ Cell number(double value) { return csv_number(value); }
 Cell number(std::size_t value) { return std::to_string(value); }
 
 Section table_of(const std::string& file, const std::vector<std::string>& names) {
-  Section out;
-  out.file = file;
-  for (const std::string& name : names) out.table.columns.push_back({{name, "", "", ""}});
+  Section out{.file = file};
+  for (const std::string& name : names) out.table.columns.push_back({name, "", "", ""});
   return out;
 }
 

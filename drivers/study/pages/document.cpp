@@ -10,7 +10,7 @@
 #include "drivers/text/table_text.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
-namespace assay::drivers {
+namespace assay::drivers::study_page {
 
 namespace {
 
@@ -41,7 +41,7 @@ template <class Shown>
 std::vector<Texts> lines_on(Page page, const Table& table, const Shown& shown) {
   std::vector<Texts> lines(1 + table.rows.size());
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
-    const std::string& head = table.columns[k].heads[page];
+    const std::string& head = table.columns[k][page];
     if (head.empty()) continue;
     lines[0].push_back(head);
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -53,16 +53,14 @@ std::vector<Texts> lines_on(Page page, const Table& table, const Shown& shown) {
   return lines;
 }
 
+/// All columns but the last are equally wide.
 std::string terminal_table(const Table& table, bool has_heads) {
-  std::vector<std::size_t> widths;
-  for (const Column& column : table.columns) {
-    if (!column.heads[Page::terminal].empty()) widths.push_back(column.width);
-  }
-  std::string text;
+  constexpr std::size_t width = 10;
   const std::vector<Texts> lines = lines_on(Page::terminal, table, as_it_is);
+  std::string text;
   for (std::size_t i = has_heads ? 0 : 1; i < lines.size(); ++i) {
     std::string begin = "  ";
-    for (std::size_t k = 0; k + 1 < widths.size(); ++k) begin += terminal_column(lines[i][k], widths[k]);
+    for (std::size_t k = 0; k + 1 < lines[i].size(); ++k) begin += terminal_column(lines[i][k], width);
     text += terminal_line(begin, lines[i].back());
   }
   return text;
@@ -92,7 +90,7 @@ std::string all_of(const Document& document, Page page, const Written& written, 
     if (std::ranges::find(pages, page) == pages.end()) continue;
     const auto& columns = section.table.columns;
     const bool has_table = !section.table.rows.empty() &&
-                           std::ranges::any_of(columns, [&](const Column& each) { return !each.heads[page].empty(); });
+                           std::ranges::any_of(columns, [&](const Column& each) { return !each[page].empty(); });
     if (has_table || !section.before[page].empty()) {
       text += whole(section, section.before[page] + (has_table ? written(section) : "") + section.after[page]);
     }
@@ -137,11 +135,11 @@ std::string markdown_text(const Document& document) {
 }
 
 std::string html_text(const Document& document, const std::string& style) {
-  const auto whole = [](const Section& section, const std::string& content) {
-    const std::string& file = section.file;
-    const std::string link =
-        file.empty() ? "" : "<p class=\"data\">Data: <a href=\"" + file + "\">" + file + "</a></p>\n";
-    return section.heading.empty() ? content : html::section(section.heading, content + link);
+  const auto whole = [](const Section& section, std::string content) {
+    const std::string &file = section.file, &remark = section.remark;
+    if (!remark.empty()) content += html::element("p class=\"tally\"", html::element("small", remark)) + "\n";
+    if (!file.empty()) content += "<p class=\"data\">Data: <a href=\"" + file + "\">" + file + "</a></p>\n";
+    return section.heading.empty() ? content : html::section(section.heading, content);
   };
   const std::string body = all_of(
       document, Page::html, [](const Section& section) { return html_table(section.table); }, whole);
@@ -191,4 +189,4 @@ std::string unbroken(const std::string& text) {
   return out;
 }
 
-}  // namespace assay::drivers
+}  // namespace assay::drivers::study_page

@@ -11,16 +11,15 @@
 #include <utility>
 #include <vector>
 
-namespace assay::drivers {
+namespace assay::drivers::study_page {
 
 enum class Page { csv, terminal, markdown, html };
 
 inline constexpr std::initializer_list<Page> every_page = {Page::csv, Page::terminal, Page::markdown, Page::html};
 
-/// One value for each page.
+/// One value for each page, in their order.
 template <class T>
-class Paged {
- public:
+struct Paged {
   T& operator[](Page page) { return of_[static_cast<std::size_t>(page)]; }
   const T& operator[](Page page) const { return of_[static_cast<std::size_t>(page)]; }
   std::array<T, 4> of_ = {};
@@ -48,10 +47,8 @@ Cell unbroken_cell(const std::optional<double>& value, const std::string& words)
 /// Running text.
 Cell words_cell(const std::string& text, const std::string& classes = "words");
 
-struct Column {
-  Paged<std::string> heads;  ///< as they stand on the page; where it has none it is not shown
-  std::size_t width = 10;    ///< on a terminal, but for the last one
-};
+/// Its heads on CSV, terminal, Markdown and HTML, as they stand there; where it has none it is not shown.
+using Column = Paged<std::string>;
 
 struct Table {
   std::vector<Column> columns = {};
@@ -60,11 +57,12 @@ struct Table {
 
 /// A page shows it where it has something before the table, or rows of it.
 struct Section {
-  std::string heading;             ///< of Markdown and HTML; empty: none
+  std::string heading = {};        ///< of Markdown and HTML; empty: none
+  std::string file = {};           ///< the table's data, or those of the figure
+  std::string remark = {};         ///< of HTML, below the table
   Paged<std::string> before = {};  ///< as it stands on the page; instead of the heads of a terminal's table
   Table table = {};
   Paged<std::string> after = {};
-  std::string file = {};  ///< the table's data, or those of the figure
   std::vector<Page> pages = every_page;
 };
 
@@ -97,4 +95,4 @@ std::string plain_markdown(const std::string& text);
 /// HTML on one line.
 std::string unbroken(const std::string& text);
 
-}  // namespace assay::drivers
+}  // namespace assay::drivers::study_page

@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// What the wanted pages show. The question and its answer first, then what they rest on, last where it comes from.
-Document study_document(const StudyFindings& findings, const std::set<Page>& wanted,
-                        const std::vector<ReportPicture>& pictures = {}) {
+study_page::Document study_document(const StudyFindings& findings, const std::set<study_page::Page>& wanted,
+                                    const std::vector<ReportPicture>& pictures = {}) {
   using namespace study_page;
   using enum Page;
   using Parts = std::initializer_list<Section (*)(const StudyFindings&)>;
@@ -68,7 +68,7 @@ Document study_document(const StudyFindings& findings, const std::set<Page>& wan
   return out;
 }
 
-std::string report_text(const Document& document) {
+std::string report_text(const study_page::Document& document) {
   return html_text(document, study_style);
 }
 
@@ -134,21 +134,21 @@ JunitCase test_of(const StudyExpectationOutcome& line) {
 }  // namespace
 
 std::string study_text(const StudyFindings& findings, const std::string& folder) {
-  Document document = study_document(findings, {Page::terminal});
-  document.add(study_page::section_of(Page::terminal, "", ending_text(findings, folder)));
+  study_page::Document document = study_document(findings, {study_page::Page::terminal});
+  document.add(study_page::section_of(study_page::Page::terminal, "", ending_text(findings, folder)));
   return terminal_text(document);
 }
 
 std::string study_markdown(const StudyFindings& findings) {
-  return markdown_text(study_document(findings, {Page::markdown}));
+  return markdown_text(study_document(findings, {study_page::Page::markdown}));
 }
 
 std::string study_report_html(const StudyFindings& findings, const std::vector<ReportPicture>& pictures) {
-  return report_text(study_document(findings, {Page::html}, pictures));
+  return report_text(study_document(findings, {study_page::Page::html}, pictures));
 }
 
 std::map<std::string, std::string> study_tables(const StudyFindings& findings) {
-  return csv_files(study_document(findings, {Page::csv}));
+  return csv_files(study_document(findings, {study_page::Page::csv}));
 }
 
 std::vector<std::string> study_file_names() {
@@ -161,8 +161,9 @@ std::vector<std::string> study_file_names() {
 void write_study(const StudyFindings& findings, const CaseStore& store, const fs::path& target) {
   const auto own = folder_of_study(target);
   OutputFolder& folder = *own;
-  const Document document =
-      study_document(findings, {Page::csv, Page::markdown, Page::html}, pictures_of(findings, store));
+  const study_page::Document document =
+      study_document(findings, {study_page::Page::csv, study_page::Page::markdown, study_page::Page::html},
+                     pictures_of(findings, store));
   for (const auto& [name, text] : csv_files(document)) folder.write(name, text);
   const Drawing plot = work_precision_plot(findings);
   folder.write("work_precision.png", raster(plot, 2).png());

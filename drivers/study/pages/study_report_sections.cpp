@@ -98,9 +98,8 @@ std::string lost_text(const Survival& of) {
 }  // namespace
 
 Section section_of(Page page, const std::string& heading, const std::string& content, const std::string& file) {
-  Section out{heading};
+  Section out{heading, file};
   out.before[page] = content;
-  out.file = file;
   return out;
 }
 
@@ -205,14 +204,12 @@ Section profile(const StudyFindings& findings) {
 }
 
 Section clock(const StudyFindings& findings) {
-  Section out{"The clock"};
-  out.file = "timing.csv";
+  Section out{
+      "The clock", "timing.csv",
+      "Cases on the front, and cases during which other programs kept more than " + disturbing_text() + " busy."};
   for (const char* head :
        {"case", "repeats", "median", "spread", "others [cores]", "memory", "<th scope=\"col\"></th>"})
-    out.table.columns.push_back({{"", "", "", head}});
-  out.after[Page::html] =
-      "<p class=\"tally\"><small>Cases on the front, and cases during which other programs kept more than " +
-      disturbing_text() + " busy.</small></p>\n";
+    out.table.columns.push_back({"", "", "", head});
   for (const StudyCase& one : findings.cases) {
     const ClockReadings& clock = one.clock;
     const std::size_t repeats = std::max(clock.step_s.size(), clock.cpu_s.size());

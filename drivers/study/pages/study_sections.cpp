@@ -18,8 +18,12 @@ using html::element;
 
 namespace {
 
-/// A remark below a table of the report.
-std::string tally(const std::string& words) { return element("p class=\"tally\"", element("small", words)) + "\n"; }
+/// Columns of Markdown and HTML alone.
+std::vector<Column> columns_of(const std::vector<std::string>& heads) {
+  std::vector<Column> columns;
+  for (const std::string& head : heads) columns.push_back({"", "", head, head});
+  return columns;
+}
 
 /// A head of a table in HTML that may be empty.
 std::string html_head(const std::string& name) { return element("th scope=\"col\"", escaped(name)); }
@@ -57,21 +61,18 @@ std::string bar(double share) {
 }  // namespace
 
 Section digits(const StudyFindings& findings) {
-  Section out{"What the next digit costs"};
-  out.file = "digits.csv";
+  Section out{"What the next digit costs", "digits.csv",
+              "Between two resolutions of a series its cost is interpolated along a straight line in the logarithms."};
   if (findings.digits.empty()) out.before[Page::terminal] = no_digits_text(findings);
-  out.after[Page::html] =
-      tally("Between two resolutions of a series its cost is interpolated along a straight line in the logarithms.");
-  //                    CSV                  terminal    Markdown                    HTML
-  out.table.columns = {{{"error", "error", "error", "error"}},
-                       {{"case", "", "", ""}},
-                       {{"", "", "cheapest case", "cheapest measured case"}},
-                       {{"", "", "resolution", ""}},
-                       {{"cost", "", "its cost", "its cost"}},
-                       {{"series", "", "", "cheapest between resolutions"}},
-                       {{"interpolated_cost", "costs", "at this error", "cost at this error"}},
-                       {{"factor", "one more", "against the digit before", "against the digit before"}},
-                       {{"", "the cheapest case that was measured", "", ""}}};
+  out.table.columns = {{"error", "error", "error", "error"},
+                       {"case", "", "", ""},
+                       {"", "", "cheapest case", "cheapest measured case"},
+                       {"", "", "resolution", ""},
+                       {"cost", "", "its cost", "its cost"},
+                       {"series", "", "", "cheapest between resolutions"},
+                       {"interpolated_cost", "costs", "at this error", "cost at this error"},
+                       {"factor", "one more", "against the digit before", "against the digit before"},
+                       {"", "the cheapest case that was measured", "", ""}};
   for (const StudyDigit& digit : findings.digits) {
     const StudyCase* best = digit.best ? &findings.cases[*digit.best] : nullptr;
     const std::string level = error_text(findings, digit.error), none = html::none,
@@ -94,22 +95,20 @@ Section digits(const StudyFindings& findings) {
 }
 
 Section front(const StudyFindings& findings) {
-  Section out{"The cases on the front"};
-  out.file = "pareto.csv";
+  Section out{"The cases on the front", "pareto.csv",
+              "No other case is both cheaper and more accurate. Cases that use the exact solution do not take part."};
   if (!findings.front.empty()) out.before[Page::terminal] = "cases that no other case beats in both error and cost:\n";
-  out.after[Page::html] =
-      tally("No other case is both cheaper and more accurate. Cases that use the exact solution do not take part.");
   const std::vector<std::string> heads = front_heads(findings);
   const std::string work = heads.size() > 4 ? heads[4] : "";
-  out.table.columns = {{{"number", "", "", ""}},
-                       {{"case", "", "", ""}},
-                       {{"series", "", heads[0], heads[0]}},
-                       {{"resolution", "", heads[1], heads[1]}},
-                       {{"error", "error", heads[2], heads[2]}},
-                       {{"cost", "cost", plain_markdown(heads[3]), escaped(heads[3])}},
-                       {{"cost_spread", "spread", "", ""}},
-                       {{"particle_steps", "", work, work}},
-                       {{"", "case", "", ""}}};
+  out.table.columns = {{"number", "", "", ""},
+                       {"case", "", "", ""},
+                       {"series", "", heads[0], heads[0]},
+                       {"resolution", "", heads[1], heads[1]},
+                       {"error", "error", heads[2], heads[2]},
+                       {"cost", "cost", plain_markdown(heads[3]), escaped(heads[3])},
+                       {"cost_spread", "spread", "", ""},
+                       {"particle_steps", "", work, work},
+                       {"", "case", "", ""}};
   for (const std::size_t index : findings.front) {
     const StudyCase& one = findings.cases[index];
     const Cell cost = cost_cell(findings, one.cost);
@@ -128,15 +127,14 @@ Section front(const StudyFindings& findings) {
 }
 
 Section orders(const StudyFindings& findings) {
-  Section out{"Orders of convergence"};
-  out.file = "orders.csv";
+  Section out{"Orders of convergence", "orders.csv"};
   out.before[Page::terminal] = orders_text(findings);
   const std::string published = has_published(findings) ? "published" : "";
-  out.table.columns = {{{"", "", "series", "series"}},
-                       {{"", "", "from grid to grid", "from grid to grid"}},
-                       {{"", "", "fit, 95 % interval", "fit, 95 % interval"}},
-                       {{"", "", published, published}},
-                       {{"", "", "asymptotic range", "<th class=\"left\" scope=\"col\">asymptotic range</th>"}}};
+  out.table.columns = {{"", "", "series", "series"},
+                       {"", "", "from grid to grid", "from grid to grid"},
+                       {"", "", "fit, 95 % interval", "fit, 95 % interval"},
+                       {"", "", published, published},
+                       {"", "", "asymptotic range", "<th class=\"left\" scope=\"col\">asymptotic range</th>"}};
   for (const StudySeries& series : findings.series) {
     if (series.cases.size() < 2) continue;
     const bool reached = series.asymptotic == StudySeries::Range::reached;
@@ -149,13 +147,11 @@ Section orders(const StudyFindings& findings) {
 }
 
 Section stability(const StudyFindings& findings) {
-  Section out{"What completes and what does not"};
-  out.file = "stability.csv";
+  Section out{"What completes and what does not", "stability.csv",
+              "Blue: completed; darker means a smaller error. Orange: failed at that time. Grey: refused or stopped."};
   const StabilityMap map = stability_map(findings);
-  out.after[Page::html] =
-      tally("Blue: completed; darker means a smaller error. Orange: failed at that time. Grey: refused or stopped.");
   const auto add_column = [&](const std::string& name, const std::string& head) {
-    out.table.columns.push_back({{"", "", name.empty() ? html::none : plain_markdown(name), html_head(head)}});
+    out.table.columns.push_back({"", "", name.empty() ? html::none : plain_markdown(name), html_head(head)});
   };
   add_column(map.row_name, map.row_name);
   for (const std::string& column : map.columns)
@@ -178,8 +174,7 @@ Section survival(const StudyFindings& findings) {
   out.after[Page::markdown] =
       "\n" + note + ".\n" + (unfinished.empty() ? "" : "\n" + plain_markdown(unfinished) + "\n");
   out.after[Page::html] = element("p class=\"tally\"", escaped(note + ". " + unfinished));
-  for (const char* head : {"method", "completed", "failed", "refused", "n/a", "error over the best"})
-    out.table.columns.push_back({{"", "", head, head}});
+  out.table.columns = columns_of({"method", "completed", "failed", "refused", "n/a", "error over the best"});
   for (const Survival& of : methods) {
     out.table.rows.push_back({of.method, of.completed_text(), std::to_string(of.died), std::to_string(of.refused),
                               std::to_string(of.not_applicable), html::figure(of.error_ratio, 3)});
@@ -188,23 +183,21 @@ Section survival(const StudyFindings& findings) {
 }
 
 Section budget(const StudyFindings& findings) {
-  Section out{"Where the error comes from"};
-  out.file = "budget.csv";
+  Section out{"Where the error comes from", "budget.csv",
+              "Share: the largest change of the error over time if this source alone is refined, "
+              "divided by the largest error of the run."};
   if (!findings.budget.empty())
     out.before[Page::terminal] = "share of each source of error, found by refining it alone:\n";
-  out.after[Page::html] = tally(
-      "Share: the largest change of the error over time if this source alone is refined, divided by the largest error "
-      "of the run.");
-  out.table.columns = {{{"", "share", "", ""}},
-                       {{"case", "", "case", ""}},
-                       {{"source", "", "source", "source"}},
-                       {{"changed", "", "refined alone", "refined alone"}},
-                       {{"error", "error", "error", "error"}},
-                       {{"refined", "refined", "refined", "refined"}},
-                       {{"share", "", "share", "share"}},
-                       {{"outcome", "", "", ""}},
-                       {{"", "source, case", "", ""}},
-                       {{"", "", "", html_head("")}}};
+  out.table.columns = {{"", "share", "", ""},
+                       {"case", "", "case", ""},
+                       {"source", "", "source", "source"},
+                       {"changed", "", "refined alone", "refined alone"},
+                       {"error", "error", "error", "error"},
+                       {"refined", "refined", "refined", "refined"},
+                       {"share", "", "share", "share"},
+                       {"outcome", "", "", ""},
+                       {"", "source, case", "", ""},
+                       {"", "", "", html_head("")}};
   double largest = 0;
   for (const BudgetLine& line : findings.budget) largest = std::max(largest, line.share.value_or(0));
   for (const BudgetLine& line : findings.budget) {
@@ -226,8 +219,7 @@ Section budget(const StudyFindings& findings) {
 
 Section expectations(const StudyFindings& findings) {
   Section out{"Expectations"};
-  for (const char* head : {"of", "figure", "expected", "found", "verdict"})
-    out.table.columns.push_back({{"", "", head, head}});
+  out.table.columns = columns_of({"of", "figure", "expected", "found", "verdict"});
   for (const auto& [where, outcome] : findings.expect) {
     const Cell verdict = outcome.holds ? words_cell("holds", "holds")
                                        : words_cell("does not hold", "fails").on(Page::markdown, "**does not hold**");
@@ -237,11 +229,10 @@ Section expectations(const StudyFindings& findings) {
 }
 
 Section unfinished(const StudyFindings& findings) {
-  Section out{"Cases that did not complete"};
-  out.file = "cases.csv";
-  out.table.columns = {{{"", "", "case", "case"}},
-                       {{"", "", "outcome", "outcome"}},
-                       {{"", "", "reason", "<th class=\"left\" scope=\"col\">reason</th>"}}};
+  Section out{"Cases that did not complete", "cases.csv"};
+  out.table.columns = {{"", "", "case", "case"},
+                       {"", "", "outcome", "outcome"},
+                       {"", "", "reason", "<th class=\"left\" scope=\"col\">reason</th>"}};
   std::string lines;
   for (const StudyCase& one : findings.cases) {
     if (one.completed()) continue;

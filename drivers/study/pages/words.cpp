@@ -134,10 +134,10 @@ bool has_published(const StudyFindings& findings) {
 std::string case_line(const StudyFindings& words, const StudyCase& one, std::size_t done, std::size_t total) {
   const std::string count = std::to_string(total);
   const std::string begin =
-      fmt::format("{:>{}}/{}  {}{}{}", done, count.size(), count, terminal_column(one.outcome, 11),
-                  terminal_column(one.error ? error_text(words, *one.error) : "", 10),
-                  terminal_column(one.cost ? cost_text(words, *one.cost) : "", 10));
-  return terminal_line(begin, one.label);
+      fmt::format("{:>{}}/{}  {}{}{}", done, count.size(), count, study_page::terminal_column(one.outcome, 11),
+                  study_page::terminal_column(one.error ? error_text(words, *one.error) : "", 10),
+                  study_page::terminal_column(one.cost ? cost_text(words, *one.cost) : "", 10));
+  return study_page::terminal_line(begin, one.label);
 }
 
 std::string contradiction_text(const StudyFindings& findings) {
@@ -166,7 +166,9 @@ std::string orders_text(const StudyFindings& findings) {
   for (const StudySeries& series : findings.series) {
     constexpr const char* words[] = {"asymptotic", "not asymptotic", "unknown range"};
     const std::string range = words[static_cast<std::size_t>(series.asymptotic)];
-    text += terminal_line("  " + terminal_column(order_text(series), 20) + terminal_column(range, 16), series.name);
+    text += study_page::terminal_line(
+        "  " + study_page::terminal_column(order_text(series), 20) + study_page::terminal_column(range, 16),
+        series.name);
     if (series.published) text += wrapped("published: " + published_text(series), "    ", "    ");
   }
   return text;

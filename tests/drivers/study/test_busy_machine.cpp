@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "drivers/study/case_process.hpp"
 #include "drivers/study/analysis/clock.hpp"
+#include "drivers/study/case_process.hpp"
 #include "tests/drivers/study/study_program.hpp"
 
 namespace assay::drivers::test_busy_machine {
