@@ -56,7 +56,7 @@ std::string misdeed_of_offers(const Material& material, const OfferedStep& step)
       gave = call(offer, arrays) != ASSAY_FAILED;
     } catch (const MaterialFailure&) {  // the test of that extension tells
     }
-    return arrays.misdeed(OfferedFunction<Extension>::name, gave);
+    return arrays.misdeed(offered<Extension>.name, gave);
   };
   const auto rate = [&](const auto& form, OfferedArrays& a) {
     double *F = a.in(F1), *gradient = a.in(l), *cauchy = a.in(step.cauchy), *state = a.in(step.state1);
