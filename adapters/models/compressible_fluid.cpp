@@ -2,7 +2,6 @@
 // Compressible Newtonian fluid: sigma = -p I + 2 viscosity dev(d) + bulk_viscosity tr(d) I with the pressure of Tait
 // and Murnaghan, p = (bulk_modulus / exponent) (J^-exponent - 1); exponent 1 is p = bulk_modulus (rho / rho0 - 1).
 #include "adapters/models/elastic_constants.hpp"
-#include "adapters/models/plugin.hpp"
 
 namespace assay::models {
 

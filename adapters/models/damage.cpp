@@ -2,7 +2,6 @@
 // Isotropic damage with softening after Simo (1987): sigma = (1 - D) sigma_0, sigma_0 the neo-Hookean stress (34) of
 // the undamaged material, D = D_max (1 - exp(-(kappa - kappa_0) / kappa_f)), kappa the largest energy W_0 so far.
 #include "adapters/models/elastic_constants.hpp"
-#include "adapters/models/plugin.hpp"
 
 namespace assay::models {
 

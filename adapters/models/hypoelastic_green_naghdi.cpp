@@ -2,8 +2,7 @@
 // Hypoelasticity with the Green-Naghdi rate of the Cauchy stress: dsigma/dt - W sigma + sigma W = lambda tr(d) I + 2 mu
 // d with the spin W = Rdot R^T of F = R U. In the unrotated frame, Sigma = R^T sigma R: dSigma/dt = lambda tr(D) I + 2
 // mu D, D = R^T d R = sym(Udot U^-1).
-#include "adapters/models/hypoelastic_baselines.hpp"
-#include "adapters/models/plugin.hpp"
+#include "adapters/models/baselines.hpp"
 
 namespace assay::models {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hypoelasticity with the Jaumann rate of the Cauchy stress: dsigma/dt - w sigma + sigma w = lambda tr(d) I + 2 mu d.
-#include "adapters/models/hypoelastic_baselines.hpp"
-#include "adapters/models/plugin.hpp"
+#include "adapters/models/baselines.hpp"
 
 namespace assay::models {
 

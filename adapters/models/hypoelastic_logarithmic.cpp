@@ -2,8 +2,7 @@
 // Hypoelasticity with the logarithmic rate of the Cauchy stress, dsigma/dt - Omega sigma + sigma Omega = lambda tr(d) I
 // + 2 mu d. The logarithmic rate of ln V is d (Xiao, Bruhns and Meyers 1997), so from rest it integrates exactly to
 // sigma = lambda tr(ln V) I + 2 mu ln V, F = V R: no state, no increment.
-#include "adapters/models/hypoelastic_baselines.hpp"
-#include "adapters/models/plugin.hpp"
+#include "adapters/models/baselines.hpp"
 
 namespace assay::models {
 

@@ -3,7 +3,6 @@
 //   W = c10 (I1bar - 3) + c01 (I2bar - 3) + kappa/2 (ln J)^2,  I1bar = J^-2/3 tr b,  I2bar = J^-4/3 (tr(b)^2 - tr
 //   b^2)/2.
 #include "adapters/models/elastic_constants.hpp"
-#include "adapters/models/plugin.hpp"
 
 namespace assay::models {
 

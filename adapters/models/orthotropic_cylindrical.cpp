@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cylindrically orthotropic elasticity, S = C : E with engineering constants along the material axes r, t, z
 // (Lekhnitskii 1981, section 4). r is each point's own reference direction, z is E3, t = z x r.
-#include "adapters/models/elastic_constants.hpp"
-#include "adapters/models/green_strain.hpp"
-#include "adapters/models/plugin.hpp"
+#include "adapters/models/baselines.hpp"
 
 namespace assay::models {
 

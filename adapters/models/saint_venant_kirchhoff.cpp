@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Saint Venant-Kirchhoff elasticity: S = lambda tr(E) I + 2 mu E, W = lambda/2 tr(E)^2 + mu E:E (Ciarlet 1988, 3.9).
-#include "adapters/models/elastic_constants.hpp"
-#include "adapters/models/green_strain.hpp"
-#include "adapters/models/plugin.hpp"
+#include "adapters/models/baselines.hpp"
 
 namespace assay::models {
 

@@ -2,7 +2,6 @@
 // Zener's solid at finite strain: second Piola-Kirchhoff stress S = mu (I - C^-1) + lambda ln J C^-1 + S_v, dS_v/dt +
 // S_v / relaxation_time = viscous_ratio mu d/dt(I - C^-1); sigma = F S F^T / J.
 #include "adapters/models/elastic_constants.hpp"
-#include "adapters/models/plugin.hpp"
 
 namespace assay::models {
 

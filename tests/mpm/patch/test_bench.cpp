@@ -94,17 +94,17 @@ TEST(PatchBench, PassesAreInsertedBehindAndInPlaceOfThoseOfAPhase) {
 }
 
 TEST(PatchBench, JudgesWhatIsPromisedAndTellsTheRest) {
-  const auto pass = judged(cpdi, "translation", {1e-16, {}, "fine"}, 1e-12, "broken");
+  const auto pass = judged(cpdi, "translation", {1e-16, "fine"}, 1e-12, "broken");
   EXPECT_EQ(pass.verdict, check::Verdict::pass);
   EXPECT_EQ(pass.threshold, 1e-12);
-  const auto fail = judged(cpdi, "translation", {1e-3, 1.0, "bad"}, 1e-12, "broken");
+  const auto fail = judged(cpdi, "translation", {1e-3, "bad", 1.0}, 1e-12, "broken");
   EXPECT_EQ(fail.verdict, check::Verdict::fail);
   EXPECT_EQ(fail.cause, "broken");
   EXPECT_EQ(fail.order, 1.0);
-  const auto none = judged(cpdi, "translation", {std::nan(""), {}, "bad"}, 1e-12, "broken");
+  const auto none = judged(cpdi, "translation", {std::nan(""), "bad"}, 1e-12, "broken");
   EXPECT_EQ(none.verdict, check::Verdict::fail);
   EXPECT_FALSE(none.measure);
-  const auto told = judged(cpdi, "stress.jittered", {0.4, {}, "large"}, 1e-12, "broken");
+  const auto told = judged(cpdi, "stress.jittered", {0.4, "large"}, 1e-12, "broken");
   EXPECT_EQ(told.verdict, check::Verdict::not_applicable);
   EXPECT_EQ(told.measure, 0.4);
   EXPECT_FALSE(told.threshold);
