@@ -9,7 +9,6 @@
 #include <thread>
 #include <utility>
 
-#include "harness/check/judge.hpp"
 #include "harness/check/tests.hpp"
 #include "harness/material/progress_mark.hpp"
 #include "harness/numeric/parallel.hpp"
@@ -69,16 +68,15 @@ BatchFinding find_in_batches(const Specimen& specimen, BatchFinding finding) {
   const std::size_t least = quick ? 300 : 1037, few = 9;  // whatever they cost
   const double brief_s = quick ? 0.002 : 0.05;            // some hundredths of the battery
   const double share = quick ? 300.0 : 4200.0;            // of its updates, likewise
-  const Material& material = *specimen.material;
   const Expected expected = expected_of(specimen, later_of(steps_along(specimen, quick ? 12 : 40)));
   const std::int64_t begin = now_ns();
   const auto since = [begin] { return 1e-9 * static_cast<double>(now_ns() - begin); };
-  if (!tried(material, expected, least, finding)) return finding;
+  if (!tried(specimen, expected, least, finding)) return finding;
   const double step_s = since() / static_cast<double>(least);
   const double allowed_s = since() + std::max(brief_s, share * step_s);
   for (const std::size_t n : sizes()) {
     if (n > few && since() + static_cast<double>(n) * step_s > allowed_s) continue;
-    if (!tried(material, expected, n, finding)) break;
+    if (!tried(specimen, expected, n, finding)) break;
   }
   return finding;
 }
@@ -127,6 +125,7 @@ double effect_of_place(const Material& material, const Expected& expected, const
 
 }  // namespace
 
+/// Arrays that begin 8, 16, 32 bytes ... beyond a multiple of 64 give the same, but for rounding.
 TestResult alignment(const Specimen& specimen) {
   return while_it_turns([&] {
     const Expected expected = expected_of(specimen, steps_along(specimen, specimen.options.effort.quick ? 9 : 37));
@@ -207,9 +206,10 @@ TestResult judged_threads(const Material& material, double worst) {
 
 }  // namespace
 
+/// Two threads at once get what each gets alone: of one instance with ASSAY_THREAD_SAFE, each of its own without. A
+/// race is met by chance: none that is short is sure to be found.
 TestResult threads(const Specimen& specimen) {
   constexpr std::size_t points = 256;
-  const Material& material = *specimen.material;
   if (specimen.options.declarations.guesses_roles) {
     return left_out("foreign routines run in processes of their own, not in threads");
   }
@@ -219,12 +219,12 @@ TestResult threads(const Specimen& specimen) {
     const std::vector<Steps> batches{steps_from_rest(specimen, points, amplitude),
                                      steps_from_rest(specimen, points, -amplitude)};
     const std::int64_t begin = now_ns();
-    const std::vector<std::vector<double>> expected{taken(material, batches[0]), taken(material, batches[1])};
+    const std::vector<std::vector<double>> expected{taken(specimen, batches[0]), taken(specimen, batches[1])};
     if (expected[0].empty() || expected[1].empty()) continue;
     const double pair_s = 1e-9 * static_cast<double>(now_ns() - begin);
     const double long_enough = specimen.options.effort.quick ? 0.03 : 0.06;  // [s], many slices of a scheduler
     const int calls = static_cast<int>(std::clamp(long_enough / pair_s, 2.0, 1e5));
-    return judged_threads(material, in_threads(material, batches, expected, calls));
+    return judged_threads(specimen, in_threads(specimen, batches, expected, calls));
   }
   return left_out("no batch of moderate steps from rest is taken");
 }

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "harness/check/diagnosis.hpp"
-#include "harness/check/judge.hpp"
 #include "harness/check/loading.hpp"
 #include "harness/check/own_pace.hpp"
 #include "harness/check/work.hpp"

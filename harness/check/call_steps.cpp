@@ -29,8 +29,7 @@ void put(const FailedStep& step, Steps& batch, std::size_t p) {
 }  // namespace
 
 Steps sheared_steps(const Specimen& specimen, std::size_t n) {
-  const Material& material = *specimen.material;
-  Steps steps = room_for(n, material.state_size(), 0.05);
+  Steps steps = room_for(n, specimen.material->state_size(), 0.05);
   const std::size_t planes = specimen.space.is_plane() ? 1 : 3;
   for (std::size_t p = 0; p < n; ++p) {
     const auto sheared = [&](double by) {
@@ -41,7 +40,7 @@ Steps sheared_steps(const Specimen& specimen, std::size_t n) {
     };
     const double share = 0.3 * static_cast<double>(p + 1) / static_cast<double>(n);
     const Tensor before = sheared(share), after = sheared(share + 0.05);
-    const Point at = stepped(material, 0, steps.t, Tensor::Identity(), before, specimen.rest_state());
+    const Point at = stepped(specimen, 0, steps.t, Tensor::Identity(), before, specimen.rest_state());
     put({steps.t, steps.dt, before, after, at.state}, steps, p);
   }
   return steps;
@@ -57,7 +56,7 @@ Steps steps_along(const Specimen& specimen, std::size_t n) {
   for (std::size_t p = 0; p < n; ++p) {
     const FailedStep step{steps.t, steps.dt, F(p), F(p + 1), state};
     put(step, steps, p);
-    state = stepped(*specimen.material, step).state;
+    state = stepped(specimen, step).state;
   }
   return steps;
 }
@@ -96,7 +95,7 @@ Steps many_of(const Steps& steps, std::size_t n) { return taken_from(steps, n, 0
 
 std::size_t bytes_to_place(const void* at, std::size_t bytes) {
   const auto address = reinterpret_cast<std::uintptr_t>(at);
-  return (line + bytes - address % line) % line;
+  return (cache_line + bytes - address % cache_line) % cache_line;
 }
 
 std::vector<Result> together(const Material& material, const Steps& steps, std::size_t bytes) {

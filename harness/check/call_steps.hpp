@@ -37,7 +37,7 @@ Steps later_of(const Steps& steps);
 /// n points, of which point p has step p % steps.n.
 Steps many_of(const Steps& steps, std::size_t n);
 
-inline constexpr std::size_t line = 64;  ///< [bytes]
+inline constexpr std::size_t cache_line = 64;  ///< [bytes]
 
 /// The next address from `at` on that is `bytes` beyond a multiple of 64, counted from `at` [bytes].
 std::size_t bytes_to_place(const void* at, std::size_t bytes);
@@ -67,7 +67,7 @@ class Guarded {
     std::size_t guard, bytes;
   };
   Guarded(Room room, std::size_t used, T mark)
-      : guard_(room.guard), used_(used), all_(used + 2 * guard_ + line / sizeof(T), mark), mark_(mark) {
+      : guard_(room.guard), used_(used), all_(used + 2 * guard_ + cache_line / sizeof(T), mark), mark_(mark) {
     guard_ += bytes_to_place(all_.data() + guard_, room.bytes) / sizeof(T);
   }
   Place first() const { return all_.begin() + static_cast<std::ptrdiff_t>(guard_); }

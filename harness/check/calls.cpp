@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "harness/check/judge.hpp"
 #include "harness/check/tests.hpp"
 
 namespace assay::check {
@@ -17,15 +16,14 @@ namespace {
 /// By how much the result of a step depends on the F with which it begins, of its stress; INFINITY where that decides
 /// whether it is taken.
 double trace_of_increment(const Specimen& specimen, const Tensor& F0, const Tensor& F1) {
-  const Material& material = *specimen.material;
   const Tensor I = Tensor::Identity();
-  const Point before = stepped(material, 0, 1, I, F0, specimen.rest_state());
-  const Point usual = stepped(material, 1, 1, F0, F1, before.state);
+  const Point before = stepped(specimen, 0, 1, I, F0, specimen.rest_state());
+  const Point usual = stepped(specimen, 1, 1, F0, F1, before.state);
   const double scale = specimen.scale(size_of(usual.cauchy));
   const auto trace = [&] {
     double most = 0;
     for (const Tensor& other : {I, Tensor(0.9 * I), Tensor(1.1 * I), Tensor(specimen.space.turn(1) * F1)}) {
-      const Point found = stepped(material, 1, 1, specimen.space.within(other), F1, before.state);
+      const Point found = stepped(specimen, 1, 1, specimen.space.within(other), F1, before.state);
       most = std::max(most, distance(found.cauchy, usual.cauchy) / scale);
     }
     return most;
@@ -35,6 +33,7 @@ double trace_of_increment(const Specimen& specimen, const Tensor& F0, const Tens
 
 }  // namespace
 
+/// A model that does not declare ASSAY_USES_INCREMENT does not read F0.
 TestResult undeclared_increment(const Specimen& specimen) {
   constexpr double most = 1e-12;
   if (specimen.material->has(ASSAY_USES_INCREMENT)) {
@@ -77,6 +76,7 @@ bool takes_the_mirror_image(const Specimen& specimen) {
 
 }  // namespace
 
+/// F that is not a number, infinite, or turned inside out is refused or comes back as no number; nothing worse.
 TestResult senseless_deformation(const Specimen& specimen) {
   const auto answered = [&](double value, int place) {
     Tensor F = Tensor::Identity();
@@ -274,6 +274,8 @@ double share_by_last_digits(const Specimen& specimen) {
 
 }  // namespace
 
+/// A step that the model refuses is refused again, and leaves no trace in what it answers; and it is not the last
+/// digits of F that decide what is refused.
 TestResult refusals(const Specimen& specimen) {
   constexpr double most_by_digits = 0.1;  // less than one step
   if (specimen.options.declarations.guesses_roles) {

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "harness/check/frame_twins.hpp"
-#include "harness/check/judge.hpp"
 #include "harness/check/tests.hpp"
 
 namespace assay::check {
@@ -40,7 +39,7 @@ bool right_after_a_turn(const Specimen& specimen, const Tensor& Q, const Loading
 
 /// The same where a step at rest comes before: what that sets up turns along from then on.
 bool right_after_rest_and_turn(const Specimen& specimen, const Tensor& Q, const Loading& still) {
-  const Point rested = hold(*specimen.material, 0, 1, Tensor::Identity(), {{}, specimen.rest_state()});
+  const Point rested = hold(specimen, 0, 1, Tensor::Identity(), {{}, specimen.rest_state()});
   return right_after_a_turn(specimen, Q, still, rested.state);
 }
 
@@ -60,12 +59,11 @@ std::optional<double> multiple_of_angle(const Specimen& specimen) {
 /// Whether a step in which the body does not move changes the stress where the body was turned, and only there.
 bool turns_on(const Specimen& specimen) {
   constexpr double kept = 1e-6, changed = 1e-2;
-  const Material& material = *specimen.material;
   const double length = specimen.rate_dependent() ? 1e-9 : 1;
   const auto change = [&](const Loading& loading) {
     const March loaded = from_rest(specimen, loading);
     const Tensor F = loading.F(1);
-    const Point held = hold(material, 1, length, F, loaded.marks[0]), again = hold(material, 1, length, F, held);
+    const Point held = hold(specimen, 1, length, F, loaded.marks[0]), again = hold(specimen, 1, length, F, held);
     return distance(again.cauchy, held.cauchy) / specimen.scale(loaded.largest);
   };
   const Loading still = still_stretch(specimen);
@@ -92,6 +90,7 @@ bool turns_on_in_place(const Specimen& specimen, TestResult& result) {
 
 }  // namespace
 
+/// Orientation of the frame from the beginning on; sigma = Q sigma_0 Q^T.
 TestResult constant_rotation(const Specimen& specimen) {
   const Tensor Q = specimen.space.turn(angle);
   const Loading still = out_and_back(specimen);
@@ -141,6 +140,7 @@ bool right_without_spin(const Specimen& specimen) {
   return if_taken([&] { return is_exact_twin(specimen, {still, turned(still, Q), Q}); }, false);
 }
 
+/// Body and frame turned: F' = Q F Q^T.
 TestResult change_of_basis(const Specimen& specimen) {
   const bool directed = has_direction(specimen.material->table());
   if (!specimen.isotropic() && !directed) {
@@ -153,6 +153,7 @@ TestResult change_of_basis(const Specimen& specimen) {
   return twin_or_tolerance(specimen, {still, seen, Q, "body and frame turned together", Q * Vector3::UnitX()});
 }
 
+/// The body alone turned before it is loaded: F' = F Q^T, sigma' = sigma for isotropic materials.
 TestResult isotropy(const Specimen& specimen) {
   if (!specimen.isotropic()) return left_out("the model does not claim to be isotropic");
   const Loading still = out_and_back(specimen);

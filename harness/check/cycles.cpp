@@ -51,10 +51,8 @@ double out_of_squares(const Specimen& specimen, const std::vector<double>& times
   for (const Square& square : squares()) {
     for (const bool other_way : {false, true}) {
       for (const double time : times) {
-        try {
-          worst = std::max(worst, out_of_a_square(specimen, square, other_way, time, steps));
-        } catch (const MaterialFailure&) {  // it may not stand the corners
-        }
+        const auto out = [&] { return out_of_a_square(specimen, square, other_way, time, steps); };
+        worst = std::max(worst, if_taken(out, 0));  // it may not stand the corners
       }
     }
   }
@@ -183,14 +181,13 @@ std::optional<double> out_of_a_cycle_after_yield(const Specimen& specimen) {
   if (specimen.rate_dependent() || specimen.rest_pressure() > 0 || !yields) return std::nullopt;
   std::optional<double> most;
   for (const double sign : {1.0, -1.0}) {
-    try {
+    const auto out = [&] {
       const Plane plane = plane_of(specimen, sign);
       const std::optional<double> yield = yield_strain(specimen, plane.D1);
-      if (!yield) continue;
-      const double share = out_of_a_cycle(specimen, plane, *yield);
-      if (std::isfinite(share)) most = std::max(most.value_or(0), share);
-    } catch (const MaterialFailure&) {  // it may not stand that much
-    }
+      return yield ? out_of_a_cycle(specimen, plane, *yield) : NAN;
+    };
+    const double share = if_taken(out, NAN);  // it may not stand that much
+    if (std::isfinite(share)) most = std::max(most.value_or(0), share);
   }
   return most;
 }
@@ -203,7 +200,7 @@ double least_power_of_motion(const Specimen& specimen, double time) {
   constexpr double strain = 1e-4, noticed = 1e-3;  // of a step; of the stress
   Tensor mixed;
   mixed << 0.6, 0.4, -0.3, 0.4, -0.5, 0.2, -0.3, 0.2, 0.3;
-  const Tensor shear = mixed - mixed.trace() / 3 * Tensor::Identity();
+  const Tensor shear = deviator(mixed);
   double least = 0;
   for (const double s : {0.0, 0.15, 0.3, 0.5}) {
     const Tensor F0 = specimen.stretch(s);
@@ -212,8 +209,8 @@ double least_power_of_motion(const Specimen& specimen, double time) {
         const Tensor d = specimen.space.within(sign / along.norm() * along);
         const Tensor F1 = (Tensor::Identity() + strain * d) * F0;
         const double dt = strain * time;
-        const Tensor moved = stepped(*specimen.material, 0, dt, F0, F1, specimen.rest_state()).cauchy;
-        const Tensor held = stepped(*specimen.material, 0, dt, F1, F1, specimen.rest_state()).cauchy;
+        const Tensor moved = stepped(specimen, 0, dt, F0, F1, specimen.rest_state()).cauchy;
+        const Tensor held = stepped(specimen, 0, dt, F1, F1, specimen.rest_state()).cauchy;
         const Tensor more = moved - held;
         const double size = stable_norm(more);
         if (size < noticed * (stable_norm(moved) + stable_norm(held)) || size < specimen.least_stress()) continue;
@@ -228,15 +225,13 @@ double least_power_of_motion(const Specimen& specimen, double time) {
 
 std::optional<TestResult> viscosity(const Specimen& specimen, const std::vector<double>& times) {
   constexpr double most = 0.02;
-  const Material& material = *specimen.material;
-  if (!specimen.rate_dependent() || material.state_size() > 0 || !material.has(ASSAY_USES_INCREMENT))
+  if (!specimen.rate_dependent() || specimen.material->state_size() > 0 ||
+      !specimen.material->has(ASSAY_USES_INCREMENT))
     return std::nullopt;
   double worst = 0;
   for (const double time : times) {
-    try {
-      worst = std::max(worst, -least_power_of_motion(specimen, time));
-    } catch (const MaterialFailure&) {  // of the length of a step
-    }
+    const auto power = [&] { return -least_power_of_motion(specimen, time); };
+    worst = std::max(worst, if_taken(power, 0));  // it may refuse the length of a step
   }
   if (worst <= most) return std::nullopt;
   return failed(causes::dissipation, worst, most,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/diagnosis.hpp"
 
-#include "harness/check/judge.hpp"
 #include "harness/check/stiffness.hpp"
 
 namespace assay::check {

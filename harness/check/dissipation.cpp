@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
 #include "harness/check/tests.hpp"
 #include "harness/check/work.hpp"
@@ -75,14 +74,13 @@ double out_of_volume(const Specimen& specimen, int steps, double time) {
 /// By how much the deviator of a body that is held grows after it has been less, over the largest of it, from a time
 /// [s] to 1e8 s in so many steps a decade.
 double growth_while_held(const Specimen& specimen, double from, int a_decade) {
-  const Material& material = *specimen.material;
   const double ratio = std::pow(10.0, 1.0 / a_decade);
   const Tensor F = specimen.stretch(0.3);
   double t = from, least = INFINITY, largest = 0, growth = 0;
-  Point now = stepped(material, 0, t, Tensor::Identity(), F, specimen.rest_state());
+  Point now = stepped(specimen, 0, t, Tensor::Identity(), F, specimen.rest_state());
   while (t < 1e8) {
     const double dt = (ratio - 1) * t;
-    now = stepped(material, t, dt, F, F, now.state);
+    now = stepped(specimen, t, dt, F, F, now.state);
     t += dt;
     const double size = stable_norm(deviator(now.cauchy));
     least = std::min(least, size), largest = std::max(largest, size);
@@ -191,6 +189,8 @@ double most_in(const std::vector<double>& times, const Specimen& specimen,
 
 }  // namespace
 
+/// The work done on the material is stored or dissipated, never made: against its energy along a path out, back and
+/// beyond; and, of any model, from rest out and back no more comes out than was put in.
 TestResult dissipation(const Specimen& specimen) {
   constexpr double of_energy = 1e-3;   // what steps of finite length leave
   constexpr double of_history = 0.02;  // what steps of finite length leave is below a thousandth

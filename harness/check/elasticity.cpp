@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "harness/check/judge.hpp"
 #include "harness/check/specimen.hpp"
 #include "harness/check/stiffness.hpp"
 #include "harness/check/tests.hpp"
@@ -90,6 +89,8 @@ std::vector<StiffnessOf> linear_stiffnesses(const Specimen& specimen) {
   return all;
 }
 
+/// Shears couple to their own stress alone: 13 to 13, 23 to 23. Fails with the cause of an order
+/// where they lie in another one.
 TestResult shear_components(const Specimen& specimen) {
   const std::vector<Elasticity> all = isotropic_ones(specimen);
   if (all.empty()) return no_elasticity(specimen);
@@ -112,6 +113,8 @@ TestResult shear_components(const Specimen& specimen) {
   return result;
 }
 
+/// The shear modulus follows from the axial stiffness: sigma_12 = (C11 - C12) eps_12. Fails with `shear_factor` where
+/// it is twice or half that.
 TestResult shear_modulus(const Specimen& specimen) {
   const std::vector<Elasticity> all = isotropic_ones(specimen);
   if (all.empty()) return no_elasticity(specimen);
@@ -188,6 +191,9 @@ std::vector<StiffnessOf> to_be_positive(const Specimen& specimen) {
 
 }  // namespace
 
+/// The smallest eigenvalue of the stiffness at rest, where that is linear, over its largest component: below zero a
+/// strain makes a stress that drives it on. None is right of a fluid in shear. Of what depends on the rate the
+/// stiffness that is left in the end counts as well.
 TestResult positive_stiffness(const Specimen& specimen) {
   // Central differences leave 1e-10 of the modulus. What 24 bits or an iteration leaves shows by two sizes of probe.
   constexpr double least_share = 1e-5, of_noise = 10;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The list of the battery's tests, in their order.
-#include "harness/check/judge.hpp"
 #include "harness/check/tests.hpp"
 
 namespace assay::check {

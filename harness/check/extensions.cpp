@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
 #include "harness/check/state_variable.hpp"
 #include "harness/check/tests.hpp"
@@ -48,17 +47,16 @@ std::optional<Rates> offered_rates(const Material& material, const Offer<assay_r
 std::vector<Rates> differences(const Specimen& specimen, const Sample& s, const Tensor& F_rate, double& noise) {
   constexpr double share_of_step = 0.01, share_of_strain = 0.02;
   constexpr double rounding = 1e-14;  // of a strain, in what differences make of four of them
-  const Material& material = *specimen.material;
   const double elastic = size_of(s.end.cauchy) / specimen.modulus;
   std::vector<Rates> all;
   double h = std::min(share_of_step * s.dt, share_of_strain * elastic / size_of(F_rate));
   if (!(h > 0)) h = share_of_step * s.dt;
   noise = rounding * specimen.modulus / (h / 8);
   for (int k = 0; k < 4; ++k, h /= 2) {
-    const Point end = stepped(material, s.t + s.dt, h, s.F1, s.F1 + h * F_rate, s.end.state);
+    const Point end = stepped(specimen, s.t + s.dt, h, s.F1, s.F1 + h * F_rate, s.end.state);
     std::vector<double> state_rate(end.state.size());
     for (std::size_t c = 0; c < state_rate.size(); ++c) state_rate[c] = (end.state[c] - s.end.state[c]) / h;
-    all.push_back(in_parts(material, (end.cauchy - s.end.cauchy) / h, state_rate));
+    all.push_back(in_parts(specimen, (end.cauchy - s.end.cauchy) / h, state_rate));
   }
   return all;
 }
@@ -82,6 +80,7 @@ std::optional<double> error_of_part(const std::vector<double>& offered, const st
 
 }  // namespace
 
+/// assay.rate/1: the rates of stress and state that steps approach as they become short.
 TestResult rate_form(const Specimen& specimen) {
   constexpr double most = 5e-4;  // right ones: below 1e-8
   const Material& material = *specimen.material;
@@ -122,10 +121,11 @@ TestResult rate_form(const Specimen& specimen) {
                 "the rate of '" + which + "' in the rate form is off by " + percent(worst) + " of that of short steps");
 }
 
+/// assay.wave_speed/1, against the acoustic tensor of probed steps: one too low makes explicit runs unstable. Only of
+/// what does not depend on the rate, whose steps are stiffer the shorter they are.
 TestResult wave_speed(const Specimen& specimen) {
   constexpr double density = 1000, most = 0.05;  // speeds in explicit runs are held to a courant number below 1
-  const Material& material = *specimen.material;
-  const Offer<assay_wave_speed> form(material);
+  const Offer<assay_wave_speed> form(specimen);
   if (!form) return left_out("the model offers no wave speed");
   if (specimen.rate_dependent())
     return left_out("the stiffness of a rate-dependent model depends on the length of a step");
@@ -135,7 +135,7 @@ TestResult wave_speed(const Specimen& specimen) {
     const bool given = form(density, std::size_t{1}, nine_of(s.F1).data(), nine_of(s.end.cauchy).data(),
                             s.end.state.data(), &offered) != ASSAY_FAILED;
     const double found =
-        fastest_wave(probe_tangent_modulus(material, s.t + s.dt, 0.01 * s.dt, s.F1, s.end.state), s.F1, density);
+        fastest_wave(probe_tangent_modulus(specimen, s.t + s.dt, 0.01 * s.dt, s.F1, s.end.state), s.F1, density);
     worst = larger(worst, given && std::isfinite(offered) && offered >= 0 ? 1 - offered / found : INFINITY);
     largest = std::max(largest, given ? offered / found : 0);
   }
@@ -184,6 +184,7 @@ std::optional<Limit> of_baseline(const Specimen& specimen, const Offer<assay_clo
 
 }  // namespace
 
+/// assay.closed_form/1: tau and d tau / d eps along simple shear (16) and uniaxial strain (38).
 TestResult closed_form(const Specimen& specimen) {
   const Offer<assay_closed_form> form(*specimen.material);
   if (!form) return left_out("the model offers no closed form of a baseline");
@@ -228,13 +229,12 @@ struct EnergyError {
 /// that which steps in no time bring.
 EnergyError energy_error(const Specimen& specimen, const Offer<assay_energy>& form, bool at_fixed_state) {
   constexpr double brief = 1e-9;  // [s]
-  const Material& material = *specimen.material;
   double worst = 0, scale = specimen.least_stress();
-  bool depends_on_F = material.state_size() == 0;
+  bool depends_on_F = specimen.material->state_size() == 0;
   for (const Sample& s : samples_of(specimen)) {
     if (!energy_of(form, s.F1, s.end.state)) return {INFINITY, true, true};
     // Held for a step: without a rate of deformation the stress is that of the energy.
-    const Point held = hold(material, s.t + s.dt, s.dt, s.F1, s.end);
+    const Point held = hold(specimen, s.t + s.dt, s.dt, s.F1, s.end);
     const Tensor expected = first_piola_kirchhoff(held.cauchy, s.F1);
     Tensor P = expected;
     for (int c = 0; c < 9; ++c) {
@@ -243,7 +243,7 @@ EnergyError energy_error(const Specimen& specimen, const Offer<assay_energy>& fo
         Tensor F = s.F1;
         component(F, c) += by;
         if (at_fixed_state) return stored_energy(form, F, held.state);
-        return stored_energy(form, F, stepped(material, s.t + s.dt, brief, s.F1, F, held.state).state);
+        return stored_energy(form, F, stepped(specimen, s.t + s.dt, brief, s.F1, F, held.state).state);
       };
       const double fine = slope_of(W, 1e-4), coarse = slope_of(W, 1e-2), of_stress = component(expected, c);
       // an energy in single precision is too rough for small differences
@@ -263,6 +263,7 @@ double stored_energy(const Offer<assay_energy>& form, const Tensor& F, const std
   return energy_of(form, F, state).value_or(NAN);
 }
 
+/// assay.energy/1: P = dW/dF at fixed state.
 TestResult energy(const Specimen& specimen) {
   constexpr double most = 2e-4;
   const Offer<assay_energy> form(*specimen.material);

@@ -38,8 +38,7 @@ struct TwinError {
 
 TwinError error_of(const Specimen& specimen, const FrameTwins& twins, int steps) {
   const March a = from_rest(specimen, twins.still, steps);
-  const March b =
-      march(*specimen.material, twins.seen, {.steps = steps, .state = specimen.rest_state(twins.direction)});
+  const March b = march(specimen, twins.seen, {.steps = steps, .state = specimen.rest_state(twins.direction)});
   return {error_between(specimen, a, b, [&](double) { return twins.Q; }), b.last};
 }
 

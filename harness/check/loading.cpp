@@ -170,21 +170,20 @@ bool is_no_number_unpressed(const Material& material) {
 }  // namespace
 
 std::vector<std::string> not_tested(const Specimen& specimen) {
-  const Material& material = *specimen.material;
   std::vector<std::string> all;
-  if (material.table().parameter_count > 0 && !Offer<assay_closed_form>(material)) {
+  if (specimen.material->table().parameter_count > 0 && !Offer<assay_closed_form>(specimen)) {
     all.emplace_back("whether the values of the parameters are right (there is no reference)");
   }
   const char* why = takes_shorter_increments(specimen) ? " (it takes them only in shorter increments)"
                     : specimen.refusal                 ? " (it refuses them)"
                                        : " (that is far beyond the linear range; --strain asks for more)";
   if (!has_reached(specimen)) all.push_back("strains above " + rounded(specimen.amplitude) + why);
-  if (material.has(ASSAY_NON_SMOOTH) && stays_linear(specimen)) {
+  if (specimen.material->has(ASSAY_NON_SMOOTH) && stays_linear(specimen)) {
     all.emplace_back(
         "a threshold such as first yield (a kink is declared, and the stress grows almost linearly over the first half "
         "of the strains)");
   }
-  if (specimen.pressure > 0 && !specimen.options.effort.pressure && is_no_number_unpressed(material))
+  if (specimen.pressure > 0 && !specimen.options.effort.pressure && is_no_number_unpressed(specimen))
     all.emplace_back("a body without pressure, as at the start of a run (its stress is not a number)");
   if (specimen.space.is_plane()) all.emplace_back("shears out of the plane");
   if (specimen.options.effort.step != 1) all.push_back("steps above " + rounded(specimen.options.effort.step) + " s");

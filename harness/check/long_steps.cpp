@@ -25,7 +25,7 @@ class Struck {
         sudden_(sudden),
         F_(specimen.stretch(0.3)),
         rest_(specimen.rest_state()),
-        point_(stepped(*specimen.material, 0, sudden, I_, F_, rest_)) {}
+        point_(stepped(specimen, 0, sudden, I_, F_, rest_)) {}
 
   /// Of the stress of the sudden step: that of a long one [s].
   double moved(double length) const { return times(above_rest(stress_at_once(specimen_, F_, length))); }

@@ -53,6 +53,11 @@ Point hold(const Material& material, double t, double length, const Tensor& F, P
   return from;
 }
 
+Point hold_until(const Material& material, double time, const Tensor& F, Point from, int steps) {
+  for (int k = 0; k < steps; ++k) from = stepped(material, time * k / steps, time / steps, F, F, from.state);
+  return from;
+}
+
 bool takes(const Material& material, const FailedStep& step) {
   return if_taken([&] { return stepped(material, step), true; }, false);
 }

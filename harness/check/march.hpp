@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -76,6 +77,9 @@ inline Point stepped(const Material& material, const FailedStep& step) {
 /// A body that is held at F in some steps of one length [s], the first of which begins at t. Throws MaterialFailure.
 Point hold(const Material& material, double t, double length, const Tensor& F, Point from, int steps = 1);
 
+/// The same from 0 to a time [s], in some steps.
+Point hold_until(const Material& material, double time, const Tensor& F, Point from, int steps);
+
 /// Throws MaterialFailure.
 March march(const Material& material, const Loading& loading, const MarchOptions& options);
 
@@ -87,6 +91,15 @@ std::invoke_result_t<Call> if_taken(const Call& call,
     return call();
   } catch (const MaterialFailure&) {
     return otherwise;
+  }
+}
+
+template <class Call>
+std::invoke_result_t<Call> if_taken(const Call& call, std::nullopt_t nothing) {
+  try {
+    return call();
+  } catch (const MaterialFailure&) {
+    return nothing;
   }
 }
 

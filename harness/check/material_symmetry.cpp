@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "harness/check/frame_twins.hpp"
-#include "harness/check/judge.hpp"
 #include "harness/check/specimen.hpp"
 #include "harness/check/stiffness.hpp"
 #include "harness/check/symmetry_axes.hpp"
@@ -134,6 +133,8 @@ ClassFinding class_at_rest(const Specimen& specimen) {
   return {result, axes};
 }
 
+/// The stiffness at rest of what declares a class is symmetric: C = C^T. Without that a cycle of small strains brings
+/// work out of nothing.
 TestResult major_symmetry(const Specimen& specimen) {
   if (const auto why = reason_to_leave(specimen)) return left_out(*why);
   if (!specimen.linear) return left_out("the response to small strains from rest is not linear");

@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <utility>
 
-#include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
 #include "harness/check/state_variable.hpp"
 #include "harness/check/tests.hpp"
@@ -70,7 +69,7 @@ double departure(const Specimen& specimen, std::size_t c, int steps) {
   const double first = state[c];
   double largest = 0;
   for (int k = 0; k < steps; ++k) {
-    state = stepped(*specimen.material, static_cast<double>(k) / steps, 1.0 / steps, F(k), F(k + 1), state).state;
+    state = stepped(specimen, static_cast<double>(k) / steps, 1.0 / steps, F(k), F(k + 1), state).state;
     largest = std::max(largest, std::abs(state[c] - first));
   }
   return largest;
@@ -161,16 +160,17 @@ TestResult forgotten(const std::string& name) {
 
 }  // namespace
 
+/// A number of the state that no step reads, that is not zero at first and that departs from that value by what the
+/// last step alone adds, is forgotten: nothing accumulates.
 TestResult memory(const Specimen& specimen) {
-  const Material& material = *specimen.material;
-  const std::vector<StatePlace> all = variables_of(material);
+  const std::vector<StatePlace> all = variables_of(specimen);
   if (all.empty()) return left_out("the model has no state of its own");
   const std::vector<Sample> samples = samples_of(specimen);
   Uses uses(specimen.options.declarations.numbered_state);
   for (std::size_t v = 0; v < all.size(); ++v) {
     const StatePlace& place = all[v];
     const std::string name = place.name;
-    const Use use = use_of(material, samples, place);
+    const Use use = use_of(specimen, samples, place);
     if (use == Use::passed_on) uses.idle.add(v, name);
     if (use == Use::read && !changes(samples, place)) uses.constant.add(v, name);
     if (use != Use::none) continue;

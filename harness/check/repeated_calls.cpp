@@ -11,7 +11,6 @@
 #include <memory>
 #include <optional>
 
-#include "harness/check/judge.hpp"
 #include "harness/check/tests.hpp"
 
 namespace assay::check {
@@ -37,16 +36,15 @@ void compare_histories(const Specimen& specimen, const std::vector<History>& fir
 
 /// One after the other, against each after a step of another volume.
 void compare_shears(const Specimen& specimen, const Steps& others, Difference& difference) {
-  const Material& material = *specimen.material;
   const Steps steps = sheared_steps(specimen, 9);
   std::vector<Result> first;
   for (std::size_t p = 0; p < steps.n; ++p) {
-    alone(material, others, p % others.n);
-    first.push_back(alone(material, steps, p));
+    alone(specimen, others, p % others.n);
+    first.push_back(alone(specimen, steps, p));
   }
-  const Comparison with(material.table(), first);
+  const Comparison with(specimen.material->table(), first);
   for (std::size_t p = steps.n; p-- > 0;) {
-    difference.note(with.difference(p, alone(material, steps, p)),
+    difference.note(with.difference(p, alone(specimen, steps, p)),
                     "of a shear, taken again after others of the volume,");
   }
 }
@@ -64,17 +62,16 @@ std::optional<Material> of_other_parameters(const Specimen& specimen) {
 
 /// An instance of other parameters does not change this one's answers, nor this one those of the other.
 void compare_instances(const Specimen& specimen, const Steps& steps, const Comparison& with, Difference& difference) {
-  const Material& material = *specimen.material;
   const std::optional<Material> altered = of_other_parameters(specimen);
   if (!altered) return;
   alone(*altered, steps, 0);
   for (std::size_t p = 0; p < steps.n; p += 3) {
-    difference.note(with.difference(p, alone(material, steps, p)), "taken beside an instance of other parameters");
+    difference.note(with.difference(p, alone(specimen, steps, p)), "taken beside an instance of other parameters");
   }
   const History& elsewhere = specimen.options.others_elsewhere;
   if (elsewhere.empty()) return;
   const History here = history(*altered, amplitudes_of_first(specimen.options.effort).back());
-  difference.note(Comparison(material.table(), here), elsewhere,
+  difference.note(Comparison(specimen.material->table(), here), elsewhere,
                   "of an instance of other parameters, the first of a process,");
 }
 
@@ -96,22 +93,21 @@ double by_stack(const Material& material, const Steps& steps) {
 
 /// Steps in other orders, after larger loads, of another instance.
 void compare_steps(const Specimen& specimen, const Steps& steps, Difference& difference) {
-  const Material& material = *specimen.material;
   const auto amplitudes = amplitudes_of_first(specimen.options.effort);
-  history(material, amplitudes.front());
-  const std::vector<Result> first = one_by_one(material, steps);
-  const Comparison with(material.table(), first);
+  history(specimen, amplitudes.front());
+  const std::vector<Result> first = one_by_one(specimen, steps);
+  const Comparison with(specimen.material->table(), first);
   const auto take = [&](const Material& instance, std::size_t p, const char* how) {
     difference.note(with.difference(p, alone(instance, steps, p)), how);
   };
-  for (std::size_t p = steps.n; p-- > 0;) take(material, p, "taken again, backwards,");
+  for (std::size_t p = steps.n; p-- > 0;) take(specimen, p, "taken again, backwards,");
   for (std::size_t p = 0; p < steps.n; ++p) {
-    for (int again = 0; again < 2; ++again) take(material, p, "taken twice");
+    for (int again = 0; again < 2; ++again) take(specimen, p, "taken twice");
   }
-  history(material, amplitudes.back());
-  difference.note(with, one_by_one(material, steps), "taken after a larger load");
+  history(specimen, amplitudes.back());
+  difference.note(with, one_by_one(specimen, steps), "taken after a larger load");
   compare_instances(specimen, steps, with, difference);
-  const Material other = material.clone();
+  const Material other = specimen.material->clone();
   for (std::size_t p = 0; p < steps.n; p += 3) take(other, p, "of another instance");
 }
 
@@ -181,7 +177,7 @@ template <class Call>
 /// A call from arrays elsewhere: others of their sizes take the places that they had.
 template <class Call>
 auto from_elsewhere(std::size_t count, std::size_t state_size, const Call& call) {
-  constexpr std::size_t more = line / sizeof(double);
+  constexpr std::size_t more = cache_line / sizeof(double);
   std::vector<std::vector<double>> others;
   for (std::size_t k = 0; k < count; ++k) {
     for (const std::size_t size : {std::size_t{9}, state_size, 9 + more, state_size + more}) others.emplace_back(size);
@@ -219,7 +215,7 @@ class Repeats {
       note(p, call(), "with other words left in memory by earlier calls");
     }
     for (const std::size_t lines : {1, 2, 3, 77}) {
-      note(p, deeper(lines * line, call), "taken deeper in the stack");
+      note(p, deeper(lines * cache_line, call), "taken deeper in the stack");
       note(p, from_elsewhere(lines, steps_.size, call), "with arrays at other addresses");
     }
   }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "harness/check/frame_twins.hpp"
-#include "harness/check/judge.hpp"
 #include "harness/check/tests.hpp"
 
 namespace assay::check {
@@ -47,6 +46,7 @@ double standing_amplitude(const Specimen& specimen, bool three) {
 
 }  // namespace
 
+/// Stretches that differ by 0, 1e-15, ... 1e-4 along axes of any direction: the stress changes no more than they do.
 TestResult nearly_equal_stretches(const Specimen& specimen) {
   double worst = 0, at = 0;
   for (const bool three : {false, true}) {
@@ -82,6 +82,7 @@ TestResult nearly_equal_stretches(const Specimen& specimen) {
                 "stretches that differ by " + rounded(at) + " change the stress by " + rounded(worst) + " of itself");
 }
 
+/// A rotation at equal stretches, as rotation_at_fixed_stretch.
 TestResult rotation_at_equal_stretches(const Specimen& specimen) {
   const int steps = specimen.steps() / 4;
   const Turn Q = turning_between(specimen.space, 1, 2);

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/check/judge.hpp"
 #include "harness/check/state_variable.hpp"
 #include "harness/check/tests.hpp"
 
 namespace assay::check {
 
+/// F = I leaves no stress.
 TestResult stress_at_rest(const Specimen& specimen) {
   constexpr double most = 1e-6;  // of the modulus: single precision leaves 1e-7
   const Tensor I = Tensor::Identity();
-  const Material& material = *specimen.material;
-  const Point rest = hold(material, 0, 1, I, {{}, specimen.rest_state()}), later = hold(material, 1, 1, I, rest);
-  hold(material, 2, 1, I, later);  // a stress of zero divides nothing
+  const Point rest = hold(specimen, 0, 1, I, {{}, specimen.rest_state()}), later = hold(specimen, 1, 1, I, rest);
+  hold(specimen, 2, 1, I, later);  // a stress of zero divides nothing
   const double measure = distance(rest.cauchy, -specimen.rest_pressure() * I) / specimen.modulus;
   const std::string words = "stress of the undeformed body, relative to the modulus: " + rounded(measure);
   TestResult result = judged(measure, most, words, causes::stress_at_rest, words);
@@ -38,11 +37,8 @@ bool grows_at_rest(const Specimen& specimen) {
   constexpr double significant = 1e-6, none = 1e-3, alike = 0.1, brief = 1e-6;  // of the modulus, of it, of it; [s]
   const Tensor I = Tensor::Identity();
   const auto stress_after = [&](double time, int steps) {
-    Point now{Tensor::Zero(), specimen.rest_state()};
-    for (int k = 0; k < steps; ++k) {
-      now = stepped(*specimen.material, time * k / steps, time / steps, I, I, now.state);
-    }
-    return Tensor(now.cauchy + specimen.rest_pressure() * I);
+    const Point found = hold_until(specimen, time, I, {{}, specimen.rest_state()}, steps);
+    return Tensor(found.cauchy + specimen.rest_pressure() * I);
   };
   const auto grows = [&] {
     const Tensor whole = stress_after(1, 1), parts = stress_after(1, 10);
@@ -67,7 +63,7 @@ void look_at_stress(const Specimen& specimen, const Loading& loading, Skew& seen
   for (int k = 0; k < steps; ++k) {
     const double s = (k + 1.0) / steps;
     const Tensor F1 = loading.F(loading.phases * s);
-    now = stepped(*specimen.material, s, 1.0 / steps, F0, F1, now.state);
+    now = stepped(specimen, s, 1.0 / steps, F0, F1, now.state);
     seen.largest = std::max(seen.largest, size_of(now.cauchy));
     seen.deviator = std::max(seen.deviator, size_of(deviator(now.cauchy)));
     seen.skew = std::max(seen.skew, distance(now.cauchy, now.cauchy.transpose()));
@@ -77,6 +73,7 @@ void look_at_stress(const Specimen& specimen, const Loading& loading, Skew& seen
 
 }  // namespace
 
+/// sigma = sigma^T along the loading, which turns.
 TestResult symmetry(const Specimen& specimen) {
   constexpr double of_deviator = 0.05, significant = 1e-4;
   constexpr double rounding = 1e-9;  // of double precision, with what iterations leave; single leaves 1e-7
@@ -116,8 +113,8 @@ TestResult no_time(const Specimen& specimen) {
   const March loaded = from_rest(specimen, loading);
   double least = INFINITY;
   for (const double length : {1e-6, 1e-9, 1e-12}) {
-    const Point first = hold(*specimen.material, 1, length, loading.F(1), loaded.marks[0]);
-    const Point last = hold(*specimen.material, 1, length, loading.F(1), first, repeats);
+    const Point first = hold(specimen, 1, length, loading.F(1), loaded.marks[0]);
+    const Point last = hold(specimen, 1, length, loading.F(1), first, repeats);
     least = std::min(least, distance(last.cauchy, first.cauchy) / specimen.scale(loaded.largest));
   }
   const std::string words = "31 steps without deformation, and in no time, change the stress by " + rounded(least);
@@ -127,11 +124,10 @@ TestResult no_time(const Specimen& specimen) {
 
 /// What a step brings and the next one, without deformation, takes away.
 double taken_away(const Specimen& specimen, const Point& from, double strain, double length) {
-  const Material& material = *specimen.material;
   const Tensor F0 = specimen.stretch(top_of_pauses);
   const Tensor F1 = specimen.stretch(top_of_pauses + strain);
-  const Point moved = stepped(material, 1, length, F0, F1, from.state);
-  return distance(moved.cauchy, hold(material, 1 + length, length, F1, moved).cauchy);
+  const Point moved = stepped(specimen, 1, length, F0, F1, from.state);
+  return distance(moved.cauchy, hold(specimen, 1 + length, length, F1, moved).cauchy);
 }
 
 /// A stress of the rate of deformation is one of strain over time. One that comes with each step, the more the larger
@@ -158,16 +154,15 @@ double trace_of_pause(const Specimen& specimen, int steps, double at, const Poin
   constexpr int pause = 101;  // odd
   // What is forgotten in a pause may show in unloading alone, come back soon or show late: the ends are compared.
   const double ends[] = {at, 0.25, 0.32, 0.4, 1};
-  const Material& material = *specimen.material;
   const double a = specimen.amplitude;
   const Loading then{[&](double t) {
                        const int k = std::min(3, static_cast<int>(t));
                        return specimen.space.stretch(a, ends[k] + (t - k) * (ends[k + 1] - ends[k]));
                      },
                      4};
-  const Point paused = hold(material, 1, 0.01, then.F(0), before, pause);
-  const March at_once = march(material, then, {.steps = steps / 2, .begin = 1, .state = before.state});
-  const March after_it = march(material, then, {.steps = steps / 2, .begin = 1, .state = paused.state});
+  const Point paused = hold(specimen, 1, 0.01, then.F(0), before, pause);
+  const March at_once = march(specimen, then, {.steps = steps / 2, .begin = 1, .state = before.state});
+  const March after_it = march(specimen, then, {.steps = steps / 2, .begin = 1, .state = paused.state});
   // The first step of a pause may still correct what a step of loading has left.
   double error = at < top_of_pauses ? distance(paused.cauchy, before.cauchy) : 0;
   double largest = std::max(1e-3 * at_once.largest, specimen.least_stress());
@@ -183,8 +178,7 @@ double trace_of_pause(const Specimen& specimen, int steps, double at, const Poin
 double trace_of_pauses(const Specimen& specimen, int steps) {
   constexpr double top = top_of_pauses, below = 0.28;
   const Point loaded = from_rest(specimen, stretch_to(specimen, top), steps).marks[0];
-  const Point unloaded =
-      stepped(*specimen.material, 1, 0.01, specimen.stretch(top), specimen.stretch(below), loaded.state);
+  const Point unloaded = stepped(specimen, 1, 0.01, specimen.stretch(top), specimen.stretch(below), loaded.state);
   return std::max(trace_of_pause(specimen, steps, top, loaded), trace_of_pause(specimen, steps, below, unloaded));
 }
 
@@ -202,12 +196,11 @@ void judge_pause(const Specimen& specimen, TestResult& result) {
 
 std::string drifting_variable(const Specimen& specimen) {
   constexpr double significant = 1e-4, few = 0.02;  // of the loading: what is carried along has not come to its end yet
-  const Material& material = *specimen.material;
   const double length = specimen.rate_dependent() ? 1e-12 : 1;
   const Loading loading = stretch_to(specimen, few);
-  const Point before = hold(material, 1, length, loading.F(1), from_rest(specimen, loading, 2).marks[0]);
-  const Point after = hold(material, 1, length, loading.F(1), before);
-  for (const StatePlace& place : state_of(material.table())) {
+  const Point before = hold(specimen, 1, length, loading.F(1), from_rest(specimen, loading, 2).marks[0]);
+  const Point after = hold(specimen, 1, length, loading.F(1), before);
+  for (const StatePlace& place : state_of(specimen.material->table())) {
     double change = 0, largest = 0;
     for (std::size_t c = place.first; c < place.end(); ++c) {
       change = std::max(change, std::abs(after.state[c] - before.state[c]));
@@ -218,6 +211,8 @@ std::string drifting_variable(const Specimen& specimen) {
   return {};
 }
 
+/// Steps with F1 = F0 after loading change neither stress nor state of a rate-independent model; of another one, in
+/// the limit of no time.
 TestResult zero_increment(const Specimen& specimen) {
   if (specimen.rate_dependent()) {
     TestResult result = no_time(specimen);
@@ -230,7 +225,7 @@ TestResult zero_increment(const Specimen& specimen) {
   const Loading loading = stretch_to(specimen, top_of_pauses);
   const Errors errors = at_halved_steps(specimen.steps(), [&](int steps) {
     const March loaded = from_rest(specimen, loading, steps);
-    const Point later = hold(*specimen.material, 1, 0.01, loading.F(1), loaded.marks[0], 3);
+    const Point later = hold(specimen, 1, 0.01, loading.F(1), loaded.marks[0], 3);
     return distance(later.cauchy, loaded.marks[0].cauchy) / specimen.scale(loaded.largest);
   });
   TestResult result = judged(errors, "three steps without deformation", specimen.steps());

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "harness/check/judge.hpp"
 #include "harness/check/loading.hpp"
 #include "harness/check/tests.hpp"
 #include "harness/numeric/stable_norm.hpp"
@@ -33,10 +32,9 @@ std::optional<double> turned_by(const Space& space, const Tensor& found, const T
 /// By how many times its angle a small turn of a loaded body turns the stress; null where it does something else, too.
 std::optional<double> spin_of(const Specimen& specimen, const Tensor& F, const Point& loaded) {
   constexpr double angle = 1e-3;
-  const Material& material = *specimen.material;
   const double length = specimen.rate_dependent() ? 1e-9 : 1.0 / specimen.steps();
   const Tensor Q = specimen.space.turn(angle);
-  const auto stress = [&](const Tensor& F1) { return stepped(material, 1, length, F, F1, loaded.state).cauchy; };
+  const auto stress = [&](const Tensor& F1) { return stepped(specimen, 1, length, F, F1, loaded.state).cauchy; };
   const Tensor held = stress(F), change = stress(Q * F) - held, whole = rotated(Q, held) - held;
   const double share = share_along(change, whole);
   const bool turns = distance(change, share * whole) < spins_alike * size_of(change);
@@ -114,6 +112,7 @@ TestResult rotation(const Specimen& specimen, When when) {
   return fast.verdict == Verdict::fail ? fast : usual;
 }
 
+/// When::apex at an amplitude that the material stands, if there is one.
 TestResult rotation_at_apex(const Specimen& specimen) {
   constexpr double least = 1e-6;
   for (Specimen weaker = specimen; weaker.amplitude > least; weaker.amplitude *= 0.5) {
@@ -153,6 +152,7 @@ RotationFinding rotation_at_fixed_stretch(const Specimen& specimen) {
   return finding;
 }
 
+/// Many revolutions at fixed stretch must not change the size of the stress.
 TestResult revolutions(const Specimen& specimen) {
   constexpr int steps = 16;
   const int turns = specimen.options.effort.quick ? 10 : 50;

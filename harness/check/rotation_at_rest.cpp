@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "harness/check/frame_twins.hpp"
-#include "harness/check/judge.hpp"
 #include "harness/check/state_variable.hpp"
 #include "harness/check/stiffness.hpp"
 #include "harness/check/tests.hpp"
@@ -163,12 +162,11 @@ struct Carried {
 };
 
 Carried carried(const Specimen& specimen, const Tensor& sigma) {
-  const Material& material = *specimen.material;
   const Tensor I = Tensor::Identity(), deviation = sigma + specimen.pressure * I;
-  const bool acts_in_time = specimen.rate_dependent() || material.has(ASSAY_GROWS);
+  const bool acts_in_time = specimen.rate_dependent() || specimen.material->has(ASSAY_GROWS);
   const double length = acts_in_time ? 1e-9 : 1, scale = size_of(deviation);
-  const std::vector<double> state = state_under(material, sigma);
-  const Tensor found = stepped(material, 0, length, I, I, state).cauchy;
+  const std::vector<double> state = state_under(specimen, sigma);
+  const Tensor found = stepped(specimen, 0, length, I, I, state).cauchy;
   Carried result{
       distance(found, sigma) / scale, {}, distance(found, -specimen.pressure * I) < own_precision * scale, {}, sigma};
   for (const ShearOrder& order : other_orders) {
@@ -179,7 +177,7 @@ Carried carried(const Specimen& specimen, const Tensor& sigma) {
   const double least = 1e-2 * specimen.modulus;  // single precision leaves 1e-7 of the modulus in each step of a turn
   for (int k = 0; k < 3; ++k) {
     const int steps = (specimen.steps() / 4) << k;
-    const March seen = march(material, turning, {.steps = steps, .phase_length = length, .state = state});
+    const March seen = march(specimen, turning, {.steps = steps, .phase_length = length, .state = state});
     result.turned.note(k, seen.marks[0].cauchy, rotated(specimen.space.turn(turning_angle), found),
                        std::max(scale, least));
   }
@@ -195,7 +193,7 @@ bool carries(const Specimen& specimen, const StatePlace& place, const Tensor& st
     const Variable stored = place.in(state);
     stored.with(stored.value() + unit * stress).write(&state[place.first]);
     const auto is_the_stress = [&] {
-      const Tensor found = stepped(*specimen.material, 0, length, I, I, state).cauchy + pressure;
+      const Tensor found = stepped(specimen, 0, length, I, I, state).cauchy + pressure;
       const double share = share_along(found, stress);
       return share > 0 && distance(found, share * stress) < own_precision * size_of(found);
     };
@@ -241,6 +239,7 @@ std::vector<Tensor> tried_stresses(const Specimen& specimen) {
 
 }  // namespace
 
+/// initial_state takes a stress, or refuses it; a step without deformation returns it, and it turns with the body.
 TestResult initial_stress(const Specimen& specimen) {
   const TestResult none = left_out("the model accepts no initial stress");
   if (specimen.material->state_size() == 0) return none;

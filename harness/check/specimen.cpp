@@ -111,13 +111,12 @@ bool is_not_finite_beyond(const Specimen& specimen) {
 /// the energy that the model offers says so.
 double own_pressure_of(const Specimen& specimen) {
   constexpr double alike = 1e-4, small = 1e-3;
-  const Material& material = *specimen.material;
   const Tensor I = Tensor::Identity();
   const Tensor stress = stress_at_once(specimen, I);
   const double p = -stress.trace() / 3;
   if (specimen.pressure != 0 || !(p > 0) || !(distance(stress, -p * I) <= own_precision * p)) return 0;
   if (size_of(specimen.stiffness.bottomRows<3>()) <= own_precision * specimen.modulus) return p;
-  const Offer<assay_energy> form(material);
+  const Offer<assay_energy> form(specimen);
   if (!form) return 0;
   const auto W = [&](double by) { return stored_energy(form, (1 + by) * I, specimen.rest_state()); };
   return std::abs((W(small) - W(-small)) / (6 * small) + p) <= alike * specimen.modulus ? p : 0;
@@ -183,12 +182,11 @@ Loading stretched_and_held(const Specimen& specimen, int phases) {
 }
 
 March from_rest(const Specimen& specimen, const Loading& loading, int steps, double phase_length) {
-  return march(*specimen.material, loading,
-               {.steps = steps, .phase_length = phase_length, .state = specimen.rest_state()});
+  return march(specimen, loading, {.steps = steps, .phase_length = phase_length, .state = specimen.rest_state()});
 }
 
 Tensor stress_at_once(const Specimen& specimen, const Tensor& F, double length) {
-  return stepped(*specimen.material, 0, length, Tensor::Identity(), F, specimen.rest_state()).cauchy;
+  return stepped(specimen, 0, length, Tensor::Identity(), F, specimen.rest_state()).cauchy;
 }
 
 Specimen examine(const Material& material, const Options& options) {

@@ -16,6 +16,9 @@ namespace assay::check {
 struct Specimen {
   Specimen(const Material& m, const Options& o) : material(&m), options(o), space(m) {}
 
+  /// For the steps that are taken with it.
+  operator const Material&() const { return *material; }
+
   const Material* material;
   Options options;
   Space space;

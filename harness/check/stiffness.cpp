@@ -14,7 +14,6 @@ namespace {
 constexpr double probe = 0x1p-17;       ///< 8e-6, of strain: most materials yield later; beside 1 exact in single
                                         ///< precision, too
 constexpr double linear_within = 1e-3;  ///< relative: between probes of one and of two sizes
-constexpr std::array<std::array<int, 2>, 6> places{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
 struct Probes {
   Stiffness slope = Stiffness::Zero();  ///< by central differences of single steps from rest
@@ -29,7 +28,7 @@ Probes probes_of(const Material& material, double pressure, double size, double 
   Probes probes;
   const Space space(material);
   for (int column = 0; column < 6; ++column) {
-    const int i = places[static_cast<std::size_t>(column)][0], j = places[static_cast<std::size_t>(column)][1];
+    const int i = six_places[static_cast<std::size_t>(column)][0], j = six_places[static_cast<std::size_t>(column)][1];
     if (!space.has(3 * i + j)) {
       probes.slope(column, column) = probes.slope(3, 3);
       continue;
@@ -43,7 +42,7 @@ Probes probes_of(const Material& material, double pressure, double size, double 
     const Tensor there = stress(size), back = stress(-size), slope = (there - back) / (2 * size);
     probes.one_sided = std::max(probes.one_sided, (there + back - 2 * at_rest).cwiseAbs().maxCoeff() / (2 * size));
     for (int row = 0; row < 6; ++row) {
-      const auto [k, l] = places[static_cast<std::size_t>(row)];
+      const auto [k, l] = six_places[static_cast<std::size_t>(row)];
       probes.slope(row, column) = slope(k, l);
     }
   }
@@ -90,13 +89,13 @@ std::vector<RelaxingPart> relaxing_parts(const Material& material, double pressu
 Tensor stress_of(const Stiffness& stiffness, const Tensor& H) {
   Eigen::Matrix<double, 6, 1> strain;
   for (int c = 0; c < 6; ++c) {
-    const auto [i, j] = places[static_cast<std::size_t>(c)];
+    const auto [i, j] = six_places[static_cast<std::size_t>(c)];
     strain(c) = 0.5 * (H(i, j) + H(j, i));
   }
   const Eigen::Matrix<double, 6, 1> stress = stiffness * strain;
   Tensor sigma;
   for (int c = 0; c < 6; ++c) {
-    const auto [i, j] = places[static_cast<std::size_t>(c)];
+    const auto [i, j] = six_places[static_cast<std::size_t>(c)];
     sigma(i, j) = sigma(j, i) = stress(c);
   }
   return sigma;

@@ -14,6 +14,7 @@ namespace assay::check {
 
 /// d sigma / d eps at rest [Pa], rows and columns 11, 22, 33, 12, 13, 23; shear columns for the tensor component.
 using Stiffness = Eigen::Matrix<double, 6, 6>;
+inline constexpr std::array<std::array<int, 2>, 6> six_places{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
 struct Probed {
   Stiffness stiffness;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 
@@ -16,14 +17,22 @@ namespace assay::check {
 namespace {
 
 constexpr double root = std::numbers::sqrt2;
-constexpr std::array<std::array<int, 2>, 6> pairs{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
 /// The c-th tensor of the basis.
 Tensor basis(int c) {
-  const auto [i, j] = pairs[static_cast<std::size_t>(c)];
+  const auto [i, j] = six_places[static_cast<std::size_t>(c)];
   Tensor B = Tensor::Zero();
   B(i, j) = B(j, i) = i == j ? 1 : 1 / root;
   return B;
+}
+
+Mandel mandel_of(const Tensor& A) {
+  Mandel m;
+  for (int c = 0; c < 6; ++c) {
+    const auto [i, j] = six_places[static_cast<std::size_t>(c)];
+    m(c) = i == j ? A(i, i) : (A(i, j) + A(j, i)) / root;
+  }
+  return m;
 }
 
 /// What a small rotation about an axis adds to the components of a tensor.
@@ -71,43 +80,20 @@ Tensor spread_rotation(int n) {
   return Eigen::Quaterniond(q * std::cos(b), p * std::sin(a), p * std::cos(a), q * std::sin(b)).toRotationMatrix();
 }
 
-}  // namespace
-
+/// Axes, as columns, turned about a vector in them by its length [rad].
 Tensor turned_axes(const Tensor& axes, const Vector3& by) {
   const double angle = by.norm();
   return angle > 0 ? Tensor(axes * Eigen::AngleAxisd(angle, by / angle).toRotationMatrix()) : axes;
 }
 
-Mandel mandel_of(const Tensor& A) {
-  Mandel m;
-  for (int c = 0; c < 6; ++c) {
-    const auto [i, j] = pairs[static_cast<std::size_t>(c)];
-    m(c) = i == j ? A(i, i) : (A(i, j) + A(j, i)) / root;
-  }
-  return m;
-}
+/// Numbers that depend on axes, and their slopes when the axes turn about the first, second, third of them.
+struct OfAxes {
+  std::function<Eigen::VectorXd(const Tensor& axes)> value;
+  std::function<Eigen::MatrixX3d(const Tensor& axes, const Eigen::VectorXd& value)> slope;
+};
 
-Stiffness in_mandel(const Stiffness& C) {
-  Stiffness M = C;
-  M.bottomRows<3>() *= root;
-  M.rightCols<3>() /= root;
-  return M;
-}
-
-Stiffness without_mandel(const Stiffness& M) {
-  Stiffness C = M;
-  C.bottomRows<3>() /= root;
-  C.rightCols<3>() *= root;
-  return C;
-}
-
-Stiffness rotation_in_mandel(const Tensor& Q) {
-  Stiffness K;
-  for (int c = 0; c < 6; ++c) K.col(c) = mandel_of(Q * basis(c) * Q.transpose());
-  return K;
-}
-
-// Levenberg and Marquardt, in steps of a rotation vector.
+/// The minimum of |value| to which ways down lead from `axes`, in steps of a rotation vector (Levenberg and Marquardt);
+/// it is enough where |value| is rounding beside 1.
 Tensor minimum_from(const Tensor& axes, const OfAxes& numbers, int most_steps) {
   constexpr double least_turn = 1e-13, most_damping = 1e8, tiny = 1e-300, nothing = 1e-14, least_gain = 1e-10;
   Tensor best = axes;
@@ -132,6 +118,28 @@ Tensor minimum_from(const Tensor& axes, const OfAxes& numbers, int most_steps) {
     }
   }
   return best;
+}
+
+}  // namespace
+
+Stiffness in_mandel(const Stiffness& C) {
+  Stiffness M = C;
+  M.bottomRows<3>() *= root;
+  M.rightCols<3>() /= root;
+  return M;
+}
+
+Stiffness without_mandel(const Stiffness& M) {
+  Stiffness C = M;
+  C.bottomRows<3>() /= root;
+  C.rightCols<3>() *= root;
+  return C;
+}
+
+Stiffness rotation_in_mandel(const Tensor& Q) {
+  Stiffness K;
+  for (int c = 0; c < 6; ++c) K.col(c) = mandel_of(Q * basis(c) * Q.transpose());
+  return K;
 }
 
 std::vector<Tensor> best_axes(const Stiffness& M, const Projector& off) {

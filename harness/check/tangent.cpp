@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 
-#include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"
 #include "harness/check/tangents.hpp"
 #include "harness/check/tests.hpp"
@@ -58,15 +57,14 @@ struct Tangents {
 
 Tangents tangents_of(Specimen specimen, double amplitude, const Offer<assay_tangent>& form) {
   constexpr double kink = 1e-5;
-  const Material& material = *specimen.material;
   specimen.amplitude = amplitude;
   const double small = std::min(1e-5, 1e-3 * amplitude);  // a small part of a step
   Tangents found;
   for (const Sample& s : samples_of(specimen)) {
-    const auto stress = [&](const Tensor& F) { return stepped(material, s.t, s.dt, s.F0, F, s.state0).cauchy; };
+    const auto stress = [&](const Tensor& F) { return stepped(specimen, s.t, s.dt, s.F0, F, s.state0).cauchy; };
     const Tangent expected = by_differences(specimen.space, stress, s.F1, small);
     if (apart(by_differences(specimen.space, stress, s.F1, 0.25 * small), expected) > kink) continue;
-    const std::optional<Tangent> given = offered(material, form, s);
+    const std::optional<Tangent> given = offered(specimen, form, s);
     ++(given ? found.given : found.refused);
     if (!given) continue;
     if (const double off = apart(*given, expected); off > found.worst || found.farthest.empty()) {
@@ -124,20 +122,19 @@ struct TangentsBeside {
 /// A material with kinks may have one right there: of its tangents no more is asked than that they are finite.
 TangentsBeside errors_beside(Specimen specimen, double amplitude, const Offer<assay_tangent>& form) {
   constexpr double kink = 1e-5, kink_of_sides = 1e-2;
-  const Material& material = *specimen.material;
   specimen.amplitude = amplitude;
   const double small = std::min(1e-5, 1e-3 * amplitude);
   TangentsBeside found;
   for (const Sample& s : samples_beside_histories(specimen)) {
-    const std::optional<Tangent> given = offered(material, form, s);
+    const std::optional<Tangent> given = offered(specimen, form, s);
     if (!given) continue;
     double& worst = s.F0 == s.F1 ? found.nothing : found.moving;
     if (!given->allFinite()) worst = INFINITY;
     // Flow has no direction without a deviator: an implicit law may leave out what it would bring.
     const bool aimless =
         specimen.rate_dependent() && stable_norm(deviator(s.end.cauchy)) <= own_precision * stable_norm(s.end.cauchy);
-    if (material.has(ASSAY_NON_SMOOTH) || aimless) continue;
-    const auto stress = [&](const Tensor& F) { return stepped(material, s.t, s.dt, s.F0, F, s.state0).cauchy; };
+    if (specimen.material->has(ASSAY_NON_SMOOTH) || aimless) continue;
+    const auto stress = [&](const Tensor& F) { return stepped(specimen, s.t, s.dt, s.F0, F, s.state0).cauchy; };
     try {
       const Tangent expected = by_differences(specimen.space, stress, s.F1, small);
       if (apart(by_differences(specimen.space, stress, s.F1, 0.25 * small), expected) > kink) continue;
@@ -205,6 +202,8 @@ std::string words_of(const Tangents& found, double worst) {
 
 }  // namespace
 
+/// assay.tangent/1 against differences of `update` at deformed states, on and off the loading branch. One that does not
+/// agree is compared with those of other conventions.
 TestResult tangent(const Specimen& specimen) {
   constexpr double alike = 1e-3;
   constexpr double most_of_shape = 0.1;  // without products of strain and pressure it is some per cent off

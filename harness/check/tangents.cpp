@@ -107,9 +107,10 @@ void undo_shear(const Tangent& of_strains, const Tensor& inverse, int k, int l, 
   }
 }
 
-}  // namespace
-
+/// The moduli of a tangent: stress to strain in the current configuration, both as nine components.
 Tangent spatial_moduli(const Tangent& A, const Tensor& F) { return of_strain(spatial(A, F)); }
+
+}  // namespace
 
 std::vector<std::pair<std::string, Tangent>> with_other_shears(const Tangent& given, const Tensor& F, bool in_plane) {
   constexpr int shears[3][2] = {{0, 1}, {0, 2}, {1, 2}};

@@ -26,9 +26,6 @@ std::vector<std::pair<std::string, Tangent>> other_conventions(const Tangent& ds
 /// other way round: put right, with words for what was wrong. In the plane of the shear 12 alone.
 std::vector<std::pair<std::string, Tangent>> with_other_shears(const Tangent& given, const Tensor& F, bool in_plane);
 
-/// The moduli of a tangent: stress to strain in the current configuration, both as nine components.
-Tangent spatial_moduli(const Tangent& A, const Tensor& F);
-
 /// Without the columns that are not of the space.
 Tangent within(const Space& space, const Tangent& A);
 

@@ -16,25 +16,25 @@ constexpr double explained = 1e-3;  ///< of an error that an assumption leaves
 /// the plane.
 enum class As { tensor, own_frame, reordered, half_shear, double_shear, count };
 
+/// Of each: the defect that it is, and what its shears are multiplied by where it is read.
+struct Reading {
+  Turned defect;
+  double shears;
+};
+constexpr Reading readings[] = {{Turned::rightly, 1},
+                                {Turned::not_at_all, 1},
+                                {Turned::in_another_order, 1},
+                                {Turned::with_shear_factor, 0.5},
+                                {Turned::with_shear_factor, 2}};
+
+const Reading& reading_of(As as) { return readings[static_cast<std::size_t>(as)]; }
+
 Tensor read_as(As as, const ShearOrder& order, const Tensor& A) {
-  return as == As::reordered      ? in_order(reversed(order), A)
-         : as == As::half_shear   ? sheared(A, 0.5)
-         : as == As::double_shear ? sheared(A, 2)
-                                  : A;
+  return as == As::reordered ? in_order(reversed(order), A) : sheared(A, reading_of(as).shears);
 }
 
 Tensor written_as(As as, const ShearOrder& order, const Tensor& A) {
-  return as == As::reordered      ? in_order(order, A)
-         : as == As::half_shear   ? sheared(A, 2)
-         : as == As::double_shear ? sheared(A, 0.5)
-                                  : A;
-}
-
-Turned defect_of(As as) {
-  return as == As::tensor      ? Turned::rightly
-         : as == As::own_frame ? Turned::not_at_all
-         : as == As::reordered ? Turned::in_another_order
-                               : Turned::with_shear_factor;
+  return as == As::reordered ? in_order(order, A) : sheared(A, 1 / reading_of(as).shears);
 }
 
 /// One loading step from a state and from the same state turned.
@@ -114,11 +114,11 @@ void explain(const Assumptions& assumptions, const ShearOrder& order, double& le
           assumptions.error(variables, output, order) > explained * found.error)
         continue;
       least_cost = with_output;
-      found.stress = defect_of(output);
+      found.stress = reading_of(output).defect;
       found.order = order;
       found.taken.clear();
       for (std::size_t v = 0; v < count; ++v) {
-        found.taken.push_back({.name = assumptions.places()[v].name, .how = defect_of(variables[v])});
+        found.taken.push_back({.name = assumptions.places()[v].name, .how = reading_of(variables[v]).defect});
       }
     }
   }
@@ -145,7 +145,7 @@ void read_back(const Specimen& specimen, const Loaded& from, double s, TurnedSte
   const std::vector<As> declared = assumptions.declared();
   found.error = assumptions.error(declared, As::tensor, other_orders.front());
   for (std::size_t v = 0; v < declared.size(); ++v) {
-    found.taken.push_back({.name = assumptions.places()[v].name, .how = defect_of(declared[v])});
+    found.taken.push_back({.name = assumptions.places()[v].name, .how = reading_of(declared[v]).defect});
   }
   if (!(found.error > own_precision)) return;
   double least_cost = INFINITY;

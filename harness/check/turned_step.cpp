@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "harness/check/diagnosis.hpp"
-#include "harness/check/judge.hpp"
 
 namespace assay::check {
 
@@ -85,7 +84,7 @@ bool is_read(const Specimen& specimen, const Loaded& from, double s, const State
   std::vector<double> other = from.point.state;
   place.in(other).turned(specimen.space.turn(turning_angle)).write(&other[place.first]);
   const auto stress = [&](const std::vector<double>& state) {
-    return stepped(*specimen.material, 1, from.length, from.F, further_on(specimen, s), state).cauchy;
+    return stepped(specimen, 1, from.length, from.F, further_on(specimen, s), state).cauchy;
   };
   const auto differs = [&] {
     const Tensor usual = stress(from.point.state);
@@ -97,9 +96,8 @@ bool is_read(const Specimen& specimen, const Loaded& from, double s, const State
 /// In a turn of a loaded body, and of one that has been unloaded a little, so that the turn makes nothing flow: what
 /// fits best.
 std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Loaded& from, double s) {
-  const Material& material = *specimen.material;
   const Tensor Q = specimen.space.turn(small_turn);
-  const std::vector<StatePlace> places = places_of(material);
+  const std::vector<StatePlace> places = places_of(specimen);
   std::vector<TurnedVariable> all;
   std::vector<double> misses;
   std::vector<bool> seen_at_all(places.size(), false);
@@ -109,9 +107,9 @@ std::vector<TurnedVariable> carried_variables(const Specimen& specimen, const Lo
   }
   for (const double back : {0.0, 2e-3, 1e-2, 3e-2}) {
     const Tensor F = specimen.stretch(s - back);
-    const std::vector<double> state = stepped(material, 1, from.instant, from.F, F, from.point.state).state;
-    const Point held = stepped(material, 1, from.instant, F, F, state);
-    const Point seen = stepped(material, 1, from.instant, F, Q * F, state);
+    const std::vector<double> state = stepped(specimen, 1, from.instant, from.F, F, from.point.state).state;
+    const Point held = stepped(specimen, 1, from.instant, F, F, state);
+    const Point seen = stepped(specimen, 1, from.instant, F, Q * F, state);
     for (std::size_t v = 0; v < places.size(); ++v) {
       const Variable whole = places[v].in(held.state), before = without_sphere(whole);
       if (!(whole.largest() > trifle) || before.largest() < 1e-6 * whole.largest()) continue;
