@@ -7,7 +7,7 @@
 #include <map>
 #include <mutex>
 
-#include "adapters/elf_check.hpp"
+#include "adapters/elf_symbols.hpp"
 #include "adapters/foreign/absent_routines.hpp"
 #include "adapters/foreign/model_end.hpp"
 #include "adapters/library.hpp"

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "adapters/worker/remote_table.hpp"
-#include "adapters/worker/shortage.hpp"
+#include "adapters/process/shortage.hpp"
 #include "drivers/check/check_components.hpp"
 #include "drivers/check/check_material.hpp"
 #include "drivers/check/check_output.hpp"

@@ -12,7 +12,7 @@
 #include <iostream>
 #include <string_view>
 
-#include "adapters/worker/shortage.hpp"
+#include "adapters/process/shortage.hpp"
 #include "drivers/command_line/completion.hpp"
 #include "drivers/command_line/manual.hpp"
 #include "drivers/command_line/verb.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "adapters/foreign/model_end.hpp"
-#include "adapters/worker/crash_marks.hpp"
-#include "adapters/worker/warden.hpp"
+#include "adapters/process/fate.hpp"
+#include "adapters/worker/worker.hpp"
 #include "drivers/material/material_table.hpp"
 #include "drivers/simulation/stress_offload.hpp"
 
@@ -30,7 +30,7 @@ bool is_worker(int argc, const char* const* argv) { return argc == 2 && std::str
 
 int worker() noexcept {
   try {
-    return adapters::run_warden(work);
+    return adapters::run_worker(work);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "assay worker: is started by other verbs: %s\n", error.what());
     return 2;

@@ -12,7 +12,7 @@
 #include <optional>
 #include <sstream>
 
-#include "adapters/worker/shortage.hpp"
+#include "adapters/process/shortage.hpp"
 #include "drivers/material/compiler_messages.hpp"
 #include "drivers/material/linked.hpp"
 #include "drivers/material/tool_process.hpp"

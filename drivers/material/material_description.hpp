@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "adapters/foreign/foreign_model.hpp"
-#include "adapters/worker/worker_limits.hpp"
+#include "adapters/process/fate.hpp"
 #include "drivers/system/input_error.hpp"
 
 namespace assay::drivers {

@@ -5,6 +5,7 @@
 
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/library.hpp"
+#include "adapters/worker/probe.hpp"
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/material/model_files.hpp"
@@ -77,7 +78,7 @@ const assay_material* table_in_worker(const MaterialDescription& description, co
   adapters::WorkerStart start;
   start.limits = description.limits;
   start.task = std::string(model_task) + "\n" + one_line(file) + "\n" + description_yaml(description);
-  constexpr std::size_t longest = adapters::task_size / 2;  // a run puts its parameters before it
+  constexpr std::size_t longest = adapters::task_size / 2;
   if (start.task.size() > longest) {
     throw InputError(description.library_where, description.library_key,
                      "the description is too long for a worker: " + std::to_string(start.task.size() / 1024) +

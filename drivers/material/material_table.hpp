@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "adapters/worker/warden.hpp"
+#include "adapters/worker/worker.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/material/registry.hpp"
 
