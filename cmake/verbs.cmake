@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The verbs of the command line: drivers/verbs, VERB.cpp each. drivers/command_line/verb.cpp takes them from a generated list.
+# The verbs of the command line: drivers/verbs, VERB.cpp each. drivers/command_line/verb.cpp takes them from a generated
+# list.
 list_files(drivers/verbs ASSAY_VERB verbs.inc assay_drivers)
 
 # The man page: docs/assay.1, completed by the program with the verbs and options of which it says nothing.

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <thread>
 
-#include "adapters/worker/remote_table.hpp"
 #include "adapters/process/shortage.hpp"
+#include "adapters/worker/remote_table.hpp"
 #include "drivers/check/check_components.hpp"
 #include "drivers/check/check_material.hpp"
 #include "drivers/check/check_output.hpp"

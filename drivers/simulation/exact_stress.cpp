@@ -18,9 +18,9 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr double most_periods = 1000;        ///< of one history
-constexpr double history_tolerance = 1e-13;  ///< of a step
-constexpr double edge_rounding = 1e-9;       ///< of a radius: points on the ring's edges are in the ring
+constexpr double most_history_periods = 1000;  ///< of one history
+constexpr double history_tolerance = 1e-13;    ///< of a step
+constexpr double radius_rounding = 1e-9;       ///< of a radius: points on the ring's edges are in the ring
 
 ExactPoint seen_from(const Frame& frame, const ExactPoint& point, double t) {
   return {frame.seen(point.state, t), frame.seen(point.stress, point.state, t)};
@@ -39,9 +39,9 @@ std::vector<Tensor> homogeneous_tau(const Scene& scene, const std::shared_ptr<co
     return tau;
   }
   HomogeneousStress stress(material, path, own, end, history_tolerance);
-  if (stress.is_history() && end > most_periods * period_of(scene.motion)) {
+  if (stress.is_history() && end > most_history_periods * period_of(scene.motion)) {
     throw InputError(scene.place("time.end"), "time.end",
-                     "a history holds at most " + rounded_text(most_periods, 6) + " periods");
+                     "a history holds at most " + rounded_text(most_history_periods, 6) + " periods");
   }
   std::map<double, std::vector<std::size_t>> by_time;
   for (std::size_t i = 0; i < points.size(); ++i) by_time[points[i].t].push_back(i);
@@ -114,7 +114,7 @@ void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>
   if (const auto ring = ring_of(scene.motion); ring && !is_vortex(scene.motion)) {
     for (const ReferencePoint& point : points) {
       const double R = std::hypot(point.X, point.Y);
-      if (R >= ring->inner * (1 - edge_rounding) && R <= ring->outer * (1 + edge_rounding)) continue;
+      if (R >= ring->inner * (1 - radius_rounding) && R <= ring->outer * (1 + radius_rounding)) continue;
       throw InputError({file, point.line, 1}, "X",
                        "the point is at the radius " + rounded_text(R, 6) + ", outside of the ring between " +
                            rounded_text(ring->inner, 6) + " and " + rounded_text(ring->outer, 6));

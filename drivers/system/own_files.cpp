@@ -17,7 +17,6 @@
 #include <system_error>
 
 #include "adapters/process/private_files.hpp"
-#include "adapters/process/private_files.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/unseen.hpp"
 

@@ -10,6 +10,7 @@
 #include "drivers/system/input_error.hpp"
 #include "tests/drivers/registry_fixture.hpp"
 #include "tests/drivers/scene_text.hpp"
+#include "tests/drivers/scratch_folder.hpp"
 
 namespace assay::drivers::test_command_line {
 namespace {
