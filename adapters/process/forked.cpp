@@ -122,7 +122,7 @@ Forked in_a_child(const std::function<std::string()>& body, const ForkedHow& how
   const bool done = at_end && take_mark(found.text, done_mark);
   found.returned = take_mark(found.text, returned_mark);
   found.end = end_of(copy.fate(), done);
-  if (found.end == Forked::End::lost) return {.end = found.end};  // it may have been cut short
+  if (found.end == Forked::End::lost) found.returned = false, found.text.clear();  // it may have been cut short
   if (found.end == Forked::End::signal) found.signal = copy.fate().death_number;
   return found;
 }

@@ -30,19 +30,20 @@ void remove_folder(const Fate& fate) {
 
 }  // namespace
 
-KeptProcess::KeptProcess(std::size_t bytes, const WorkerLimits& limits) : memory_(bytes), time_limit_(limits.seconds) {
+KeptProcess::KeptProcess(std::size_t bytes, bool by_fork, const WorkerLimits& limits)
+    : memory_(by_fork ? SharedMemory::of_forks(bytes) : SharedMemory(bytes)), time_limit_(limits.seconds) {
   fate().time_limit = limits.seconds;
   fate().memory_limit = static_cast<std::uint64_t>(limits.gigabytes * 1e9);
 }
 
 KeptProcess::KeptProcess(std::size_t bytes, const WorkerLimits& limits, const Start& start)
-    : KeptProcess(bytes, limits) {
+    : KeptProcess(bytes, false, limits) {
   fate().begin = 1;
   keeper_ = start(memory_, lifeline_.in());
   lifeline_.close_in();
 }
 
-KeptProcess::KeptProcess(const Kept& what, const WorkerLimits& limits) : KeptProcess(sizeof(Fate), limits) {
+KeptProcess::KeptProcess(const Kept& what, const WorkerLimits& limits) : KeptProcess(sizeof(Fate), true, limits) {
   ends_when_stopped_ = what.ends_when_stopped && !what.defers_signals;
   std::fflush(nullptr);  // or the copy would write it a second time
   keeper_ = ::fork();

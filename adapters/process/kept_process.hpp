@@ -72,7 +72,7 @@ class KeptProcess {
   void ask_to_end() const;  ///< by SIGTERM
 
  private:
-  KeptProcess(std::size_t bytes, const WorkerLimits& limits);
+  KeptProcess(std::size_t bytes, bool by_fork, const WorkerLimits& limits);
   void begin();
   bool keeper_is_gone() const;
   bool keeper_is_stuck() const;

@@ -142,7 +142,8 @@ bool OwnFolder::enter() const {
 
 SharedMemory::SharedMemory(int file, std::size_t bytes)
     : file_(file),
-      data_(::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_NORESERVE, file, 0)),
+      data_(::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | (file < 0 ? MAP_ANONYMOUS : MAP_NORESERVE),
+                   file, 0)),
       size_(bytes) {
   if (data_ != MAP_FAILED) return;
   close_all({file});
@@ -151,11 +152,13 @@ SharedMemory::SharedMemory(int file, std::size_t bytes)
 
 SharedMemory::SharedMemory(std::size_t bytes) : SharedMemory(new_memory(bytes), bytes) {}
 
+SharedMemory SharedMemory::of_forks(std::size_t bytes) { return SharedMemory(-1, bytes); }
+
 SharedMemory SharedMemory::of_file(int file) { return SharedMemory(file, size_of(file)); }
 
 SharedMemory::~SharedMemory() {
   ::munmap(data_, size_);
-  ::close(file_);
+  close_all({file_});
 }
 
 }  // namespace assay::adapters

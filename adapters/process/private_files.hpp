@@ -94,6 +94,8 @@ class SharedMemory {
  public:
   /// New, zero, of so many bytes; pages are taken when they are touched. Throws std::system_error.
   explicit SharedMemory(std::size_t bytes);
+  /// Likewise, for processes that this one forks: without a file, whatever the limit of a file's size.
+  static SharedMemory of_forks(std::size_t bytes);
   /// That of another process, by an inherited file. Throws std::system_error.
   static SharedMemory of_file(int file);
   ~SharedMemory();

@@ -2,6 +2,7 @@
 #include "adapters/process/kept_process.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -122,6 +123,21 @@ TEST(KeptProcess, SignalsToItsKeeperAreLeft) {
   const auto terminate = [](Fate&) { ::kill(::getppid(), SIGTERM), ::usleep(10000); };
   kept(terminate, no_limits, [](const Fate& fate) { EXPECT_EQ(fate.end(), Death::exit); }, {.defers_signals = true});
   kept(terminate, no_limits, [](const Fate& fate) { EXPECT_EQ(fate.end(), Death::lost); });
+}
+
+// As on a full disk.
+TEST(KeptProcess, NeedsNoFileForItsPage) {
+  const pid_t host = ::fork();
+  if (host == 0) {
+    const rlimit tiny{16, 16};
+    std::signal(SIGXFSZ, SIG_IGN);
+    ::setrlimit(RLIMIT_FSIZE, &tiny);
+    const KeptProcess process({.work = [](Fate&) {}}, no_limits);
+    ::_exit(is_over_soon(process) && process.fate().end() == Death::exit ? 0 : 1);
+  }
+  int status = 1;
+  ::waitpid(host, &status, 0);
+  EXPECT_EQ(status, 0);
 }
 
 TEST(KeptProcess, GoesWithItsHostWhateverEndsThat) {
