@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a shared library exports and needs, read from its file: nothing of it is loaded or run.
+// What a shared library is, exports and needs, read from its file: nothing of it is loaded or run.
 #pragma once
 
 #include <string>
 #include <vector>
 
 namespace assay::adapters {
+
+/// Throws LibraryError where the file is missing, a folder, unreadable, no ELF file, or shorter than its headers say
+/// (the loader would map what is not there and die of SIGBUS).
+void check_shared_library(const std::string& path);
 
 /// Names of the dynamic symbols that the library defines, sorted. Throws LibraryError where it is no shared library.
 std::vector<std::string> exported_symbols(const std::string& path);

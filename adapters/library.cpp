@@ -2,18 +2,13 @@
 #include "adapters/library.hpp"
 
 #include <dlfcn.h>
-#include <fcntl.h>
 #include <sys/statvfs.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
 
-#include "adapters/elf_check.hpp"
 #include "adapters/elf_symbols.hpp"
-#include "adapters/forked.hpp"
-#include "adapters/worker/table_pack.hpp"
 #include "harness/material/material.hpp"
 #include "harness/material/material_failure.hpp"
 #include "harness/material/thrown.hpp"
@@ -102,53 +97,6 @@ std::vector<const assay_material*> tables_of_library(const std::string& path) {
     throw LibraryError("holds no material for ABI major " + std::to_string(ASSAY_ABI_MAJOR) + majors_served(entry));
   }
   return tables;
-}
-
-namespace {
-
-/// Why a library is refused that has not let its trial come to its end; empty where it has.
-std::string refusal_of(const Forked& found) {
-  const std::string when = std::string(" when it is ") + (found.returned ? "unloaded" : "loaded");
-  switch (found.end) {
-    case Forked::End::hangs:
-      return "hangs" + when;
-    case Forked::End::signal:
-      return "crashes" + when + ": " + strsignal(found.signal);
-    case Forked::End::quit:
-      return "ends the process" + when;
-    case Forked::End::lost:
-      return "ends or stops the process that watches its trial" + when;
-    case Forked::End::done:
-      break;
-  }
-  return {};
-}
-
-}  // namespace
-
-void try_library(const std::string& path) {
-  check_shared_library(path);
-  constexpr char between = '\x1f';  // of an error's two parts
-  const auto load = [&] {
-    const int nowhere = ::open("/dev/null", O_WRONLY);
-    ::dup2(nowhere, STDOUT_FILENO), ::dup2(nowhere, STDERR_FILENO);
-    try {
-      for (const assay_material* table : tables_of_library(path)) static_cast<void>(packed(*table));
-    } catch (const LibraryError& error) {
-      return error.what() + (between + error.known());
-    } catch (const ModelThrew& threw) {
-      return std::string("cannot serve: ") + threw.what() + between;
-    }
-    return std::string();
-  };
-  const auto unload = [&] {
-    void* library = dlopen(std::filesystem::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
-    for (int k = 0; library && k < 2; ++k) dlclose(library);  // its own end, as at the end of the program
-  };
-  const Forked found = in_a_child(load, unload);
-  if (const std::string refusal = refusal_of(found); !refusal.empty()) throw LibraryError(refusal);
-  const std::size_t at = found.text.find(between);
-  if (at != std::string::npos) throw LibraryError(found.text.substr(0, at), found.text.substr(at + 1));
 }
 
 const assay_material* table_of_library(const std::string& path, const std::string& name) {

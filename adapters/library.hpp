@@ -35,11 +35,6 @@ int local_binding(const std::string& path);
 /// truncated, unresolved symbols, no entry symbol, another ABI major, a defective table.
 std::vector<const assay_material*> tables_of_library(const std::string& path);
 
-/// Does that in a process of its own first, with all that the tables say. Throws LibraryError where the library ends
-/// the process or hangs; what else is wrong with it the others tell. Throws std::system_error where no process can be
-/// made.
-void try_library(const std::string& path);
-
 /// The table of that name; an empty name stands for the only one. Throws LibraryError.
 const assay_material* table_of_library(const std::string& path, const std::string& name);
 

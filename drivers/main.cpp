@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "adapters/library.hpp"
-#include "adapters/worker/shortage.hpp"
+#include "adapters/process/shortage.hpp"
 #include "drivers/command_line/command_line.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/exit_guard.hpp"

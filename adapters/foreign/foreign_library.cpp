@@ -15,7 +15,6 @@
 #include <mutex>
 #include <utility>
 
-#include "adapters/elf_check.hpp"
 #include "adapters/elf_symbols.hpp"
 #include "adapters/library.hpp"
 #include "harness/material/material.hpp"

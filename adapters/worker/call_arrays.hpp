@@ -1,75 +1,68 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of one call in memory that host and worker share: both lay them out alike.
+// How a call lies in the memory that host and worker share:
+//
+//     CallHead | fence | array 1 | fence | array 2 | fence | ...
+//
+// A host fills head and arrays, raises the fences and hands over. The worker lays the arrays out in the same way, calls
+// the function with them, and answers. The host looks for broken fences, copies the outputs out, and has the status.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "harness/assay_material.h"
 
 namespace assay::adapters {
 
-/// What a worker is asked for.
-enum class Operation : std::uint32_t {
-  describe = 1,  ///< its table's metadata, or why there is none
-  create,
-  initial_state,
-  update,
-  tangent,
-  energy,
-  rate,
-  wave_speed,
-  closed_form,
-  history,  ///< a history as a whole, or a coarse march: harness/history/history_task.hpp
-  end,      ///< the task is done
-};
-
 /// Scalars of a call.
 struct CallHead {
-  std::uint64_t instance, n;
-  double t, dt, density, dt_factor;
-  std::int32_t baseline, status;
-  char message[ASSAY_MESSAGE_SIZE];
+  std::uint64_t instance = 0, n = 0;
+  double t = 0, dt = 0;
+  double scalar = 0;  ///< of the function: a time, or a density
+  double dt_factor = 1;
+  std::int32_t choice = 0;  ///< of the function: a baseline
+  std::int32_t status = ASSAY_GOOD;
+  char message[ASSAY_MESSAGE_SIZE] = {};
 };
 
 /// Hands out arrays one after another, with fences between them.
 class CallArrays {
  public:
-  CallArrays(char* memory, std::size_t size)
-      : head_(reinterpret_cast<CallHead*>(memory)), memory_(memory), size_(size) {
-    at_ = (sizeof(CallHead) + alignment - 1) / alignment * alignment;
-    add_fence("the first array");
+  CallArrays(char* memory, std::size_t size) : memory_(memory), size_(size) {
+    at_ = aligned(sizeof(CallHead));
+    add_fence("the first array", at_);
   }
 
-  CallHead& head() { return *head_; }
+  CallHead& head() const { return *reinterpret_cast<CallHead*>(memory_); }
 
-  /// The next n values of a type of 4 or 8 bytes. Null where there is no room.
+  /// The next n values of a type of 1, 4 or 8 bytes. Throws std::length_error where there is no room.
   template <class T>
   T* next(std::size_t n, const char* name) {
-    const std::size_t bytes = (n * sizeof(T) + alignment - 1) / alignment * alignment;
-    if (at_ + bytes + fence > size_) return nullptr;
-    auto* found = reinterpret_cast<T*>(memory_ + at_);
-    ends_.push_back(at_ + n * sizeof(T));
-    at_ += bytes;
-    add_fence(name);
-    return found;
+    const std::size_t begin = at_, end = begin + n * sizeof(T);
+    if (count_ == fences_.size() || begin + aligned(n * sizeof(T)) + fence > size_)
+      throw std::length_error(std::string("a call has no room for ") + name);
+    at_ += aligned(n * sizeof(T));
+    add_fence(name, end);
+    return reinterpret_cast<T*>(memory_ + begin);
   }
 
   /// By the host before a call.
-  void raise_fences() {
-    for (const Fence& f : fences_) std::memset(memory_ + f.begin, post, f.end - f.begin);
+  void raise_fences() const {
+    for (std::size_t k = 0; k < count_; ++k)
+      std::memset(memory_ + fences_[k].begin, post, fences_[k].end - fences_[k].begin);
   }
 
   /// "writes past cauchy"; nothing where all stand.
   std::optional<std::string> broken_fence() const {
-    for (std::size_t k = 0; k < fences_.size(); ++k) {
-      const std::size_t size = fences_[k].end - fences_[k].begin;
-      if (std::memcmp(memory_ + fences_[k].begin, posts.data(), size) == 0) continue;
-      return k == 0 ? "writes before the first array" : "writes past " + fences_[k].name;
+    for (std::size_t k = 0; k < count_; ++k) {
+      const Fence& each = fences_[k];
+      if (std::memcmp(memory_ + each.begin, posts.data(), each.end - each.begin) == 0) continue;
+      return k == 0 ? "writes before the first array" : std::string("writes past ") + each.name;
     }
     return std::nullopt;
   }
@@ -83,23 +76,21 @@ class CallArrays {
     return all;
   }();
   struct Fence {
-    std::string name;
+    const char* name;
     std::size_t begin, end;
   };
-  void add_fence(const char* name) {
-    const std::size_t begin = ends_.empty() ? at_ : ends_.back();
-    fences_.push_back({name, begin, at_ + fence});
+  static constexpr std::size_t aligned(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
+  void add_fence(const char* name, std::size_t begin) {
     at_ += fence;
+    fences_[count_++] = {name, begin, at_};
   }
 
-  CallHead* head_;
   char* memory_;
-  std::size_t size_, at_;
-  std::vector<std::size_t> ends_;
-  std::vector<Fence> fences_;
+  std::size_t size_, at_, count_ = 0;
+  std::array<Fence, 8> fences_;
 };
 
-/// Of `update`.
+/// Of `update`, which returns no status: each point has its own.
 struct UpdateArrays {
   double *F0, *F1, *state0, *state1, *cauchy;
   std::int32_t* status;
@@ -110,7 +101,31 @@ struct UpdateArrays {
         state0(arrays.next<double>(state_size * n, "state0")),
         state1(arrays.next<double>(state_size * n, "state1")),
         cauchy(arrays.next<double>(9 * n, "cauchy")),
-        status(arrays.next<std::int32_t>(n, "status")) {}
+        status(arrays.next<std::int32_t>(n, "status")),
+        n_(n),
+        state_size_(state_size) {}
+
+  /// What a call writes, which is copied in, too.
+  struct Answer {
+    double *state1, *cauchy;
+    std::int32_t* status;
+  };
+  void put(CallHead& head, const assay_step& step, const double* from_state0, const Answer& from) const {
+    head.t = step.t, head.dt = step.dt;
+    std::copy_n(step.F0, 9 * n_, F0);
+    std::copy_n(step.F1, 9 * n_, F1);
+    std::copy_n(from_state0, state_size_ * n_, state0);
+    copy(from, {state1, cauchy, status});
+  }
+  void bring_back(const Answer& to) const { copy({state1, cauchy, status}, to); }
+
+ private:
+  void copy(const Answer& from, const Answer& to) const {
+    std::copy_n(from.state1, state_size_ * n_, to.state1);
+    std::copy_n(from.cauchy, 9 * n_, to.cauchy);
+    std::copy_n(from.status, n_, to.status);
+  }
+  std::size_t n_, state_size_;
 };
 
 /// Of a history: what is asked, and room for as many numbers as an answer may have. While it is taken, the calls of the

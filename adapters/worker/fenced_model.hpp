@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "adapters/worker/warden.hpp"
+#include "adapters/worker/worker.hpp"
 
 namespace assay {
 class HistoryTasks;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/worker/remote_histories.hpp"
-
+// Histories of a remote table, taken in its workers.
 #include <algorithm>
 #include <cmath>
 
@@ -21,18 +20,6 @@ std::optional<FailedStep> step_inside(const WorkerProcess& worker, std::size_t s
   return failed_step(arrays.head().t, arrays.head().dt, 1, 0, a.F0, a.F1, a.state0, state_size);
 }
 
-/// Whether a worker that is asked for nothing else dies of the step.
-bool ends_alone(Instance& instance, const FailedStep& step) {
-  double F0[9], F1[9], cauchy[9] = {}, dt_factor = 1;
-  for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
-  std::vector<double> state1(step.state0.size());
-  const assay_step one{step.t, step.dt, F0, F1};
-  std::int32_t status = ASSAY_GOOD;
-  char message[ASSAY_MESSAGE_SIZE] = "";
-  update_remote(&instance, &one, 1, step.state0.data(), state1.data(), cauchy, &status, &dt_factor, message);
-  return dt_factor == 0;
-}
-
 /// What a worker says to a task. Throws MaterialFailure, which no shorter step would avoid, where it has none.
 std::vector<double> answer_of(Instance& instance, Slot& slot, const std::vector<double>& task, double xi) {
   if (task.size() > history_numbers) throw std::length_error("histories are asked for too many numbers");
@@ -50,7 +37,7 @@ std::vector<double> answer_of(Instance& instance, Slot& slot, const std::vector<
   if (instance.call_in(slot, Operation::history, task.size(), in, out, dead)) return answer;
   MaterialFailure failure(one_line_of(instance.reason.c_str()), xi, step ? step->t + step->dt : 0, step);
   failure.final = true;
-  if (slot.worker.killed() && !(step && ends_alone(instance, *step))) note_killed_worker();
+  if (slot.worker.killed() && !(step && ends_worker(instance, *step))) note_killed_worker();
   throw failure;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "adapters/foreign/written_inputs.hpp"
-#include "adapters/worker/servant.hpp"
+#include "adapters/worker/worker.hpp"
 #include "adapters/worker/worker_process.hpp"
 
 namespace assay::adapters {
@@ -30,20 +30,15 @@ WorkerStart start_of(const assay_material* table);
 /// As the model itself has them: a remote table serves several threads, whatever the model does.
 std::uint32_t own_flags(const assay_material* table);
 
-/// What the workers of a remote table have printed so far; empty for any other table.
-std::string output_of(const assay_material* table);
-
-/// What the model has done to its workers, or-ed Habit; nothing of any other table.
-Habits habits_of(const assay_material* table);
-
-/// Whether a worker of a remote table has ended in a call.
-bool has_ended(const assay_material* table);
-
-/// What was asked of the workers of a remote table, and how often the system had to wake one side for it.
-struct HandOvers {
-  std::int64_t count = 0, wake_ups = 0;
+/// What the workers of a remote table have done so far; nothing of any other table.
+struct WorkerMarks {
+  std::string printed = {};
+  Habits habits = 0;            ///< what the model has done to them, or-ed Habit
+  bool ended = false;           ///< one has, in a call
+  std::int64_t hand_overs = 0;  ///< what they were asked
+  std::int64_t wake_ups = 0;    ///< how often the system had to wake one side for it
 };
-HandOvers hand_overs_of(const assay_material* table);
+WorkerMarks marks_of(const assay_material* table);
 
 /// Adds what a model has printed and done in a worker that its table knows nothing of, and that is about to end.
 void keep_marks(const assay_material* table, const WorkerProcess& worker);

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "harness/material/offer.hpp"
+#include "adapters/worker/operations.hpp"
 
 namespace assay::adapters {
 
@@ -14,111 +14,117 @@ namespace {
 class Writer {
  public:
   template <class T>
-  void number(T value) {
+  void item(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
-    char bytes[sizeof value];
-    std::memcpy(bytes, &value, sizeof value);
-    out.append(bytes, sizeof value);
+    out.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
-  void text(const char* words) {
+  void item(const char* words) {
     const std::string copy = words ? words : "";
-    number(static_cast<std::uint32_t>(copy.size()));
+    item(copy.size());
     out += copy;
+  }
+  template <class List>
+  void size(const List& list) {
+    item(list.size());
   }
   std::string out;
 };
 
 class Reader {
  public:
-  Reader(const std::string& bytes, std::deque<std::string>& words) : bytes_(bytes), words_(words) {}
+  Reader(const std::string& bytes, std::deque<std::string>& words) : left_(bytes), words_(words) {}
   template <class T>
-  T number() {
-    T value;
-    if (at_ + sizeof value > bytes_.size()) throw std::runtime_error("the worker's answer is cut");
-    std::memcpy(&value, bytes_.data() + at_, sizeof value);
-    at_ += sizeof value;
-    return value;
+  void item(T& value) {
+    std::memcpy(&value, taken(sizeof value).data(), sizeof value);
   }
-  const char* text() {
-    const auto size = number<std::uint32_t>();
-    if (size > bytes_.size() - at_) throw std::runtime_error("the worker's answer is cut");
-    words_.push_back(bytes_.substr(at_, size));
-    at_ += size;
-    return words_.back().c_str();
+  void item(const char*& words) {
+    std::size_t size = 0;
+    item(size);
+    words = words_.emplace_back(taken(size)).c_str();
+  }
+  template <class List>
+  void size(List& list) {
+    std::size_t count = 0;
+    item(count);
+    if (count > left_.size()) cut();
+    list.resize(count);
   }
 
  private:
-  const std::string& bytes_;
+  [[noreturn]] static void cut() { throw std::runtime_error("the worker's answer is cut"); }
+  std::string_view taken(std::size_t size) {
+    if (size > left_.size()) cut();
+    const std::string_view found = left_.substr(0, size);
+    left_.remove_prefix(size);
+    return found;
+  }
+  std::string_view left_;
   std::deque<std::string>& words_;
-  std::size_t at_ = 0;
 };
 
+/// Of both, in the same order.
+template <class Archive>
+void pass(Archive& archive, UnpackedTable& t) {
+  const auto all = [&](auto&... items) { (archive.item(items), ...); };
+  all(t.table.name, t.table.version, t.table.licence, t.table.doc, t.table.symmetry, t.table.flags);
+  archive.size(t.parameters);
+  for (assay_parameter& p : t.parameters) all(p.name, p.unit, p.doc, p.default_value, p.lower, p.upper);
+  archive.size(t.state);
+  for (assay_state_variable& v : t.state) all(v.name, v.unit, v.doc, v.kind, v.role);
+  archive.size(t.example);
+  for (double& value : t.example) all(value);
+  all(t.offered, t.material_class);
+}
+
 template <class... Extensions>
-void abilities(const assay_material& table, Writer& w) {
-  (w.number(bool(Offer<Extensions>(table, nullptr))), ...);
+std::uint32_t offered_by(const assay_material& table, FunctionList<Extensions...> list) {
+  std::uint32_t offered = 0;
+  ((offered |= Offer<Extensions>(table, nullptr) ? 1u << place_in<Extensions>(list) : 0), ...);
+  return offered;
+}
+
+/// An extension that is values; null where it is too short.
+template <class Values>
+const Values* values_of(const assay_material& table, const char* id) {
+  const auto* found = static_cast<const Values*>(extension_of(&table, id));
+  return found && found->struct_size >= sizeof(Values) ? found : nullptr;
 }
 
 }  // namespace
 
 std::string packed(const assay_material& table) {
-  Writer w;
-  for (const char* words : {table.name, table.version, table.licence, table.doc}) w.text(words);
-  w.number(table.symmetry);
-  w.number(table.flags);
-  w.number(table.parameter_count);
-  w.number(table.state_count);
-  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
-    const assay_parameter& p = table.parameters[i];
-    for (const char* words : {p.name, p.unit, p.doc}) w.text(words);
-    for (const double value : {p.default_value, p.lower, p.upper}) w.number(value);
-  }
-  for (std::uint32_t i = 0; i < table.state_count; ++i) {
-    const assay_state_variable& v = table.state[i];
-    for (const char* words : {v.name, v.unit, v.doc}) w.text(words);
-    w.number(v.kind);
-    w.number(v.role);
-  }
-  abilities<assay_rate, assay_tangent, assay_energy, assay_wave_speed, assay_closed_form, assay_reason>(table, w);
-  const auto* example = static_cast<const assay_example*>(extension_of(&table, ASSAY_EXTENSION_EXAMPLE));
-  const bool has_values = example && example->struct_size >= sizeof(assay_example) && example->parameters;
-  w.number(has_values);
-  for (std::uint32_t i = 0; has_values && i < table.parameter_count; ++i) w.number(example->parameters[i]);
-  const auto* symmetry = static_cast<const assay_symmetry*>(extension_of(&table, ASSAY_EXTENSION_SYMMETRY));
-  const bool whole = symmetry && symmetry->struct_size >= sizeof(assay_symmetry);
-  w.number(whole ? symmetry->material_class : std::int32_t{0});
-  return w.out;
+  UnpackedTable t;
+  t.table.name = table.name, t.table.version = table.version, t.table.licence = table.licence;
+  t.table.doc = table.doc, t.table.symmetry = table.symmetry, t.table.flags = table.flags;
+  t.parameters.assign(table.parameters, table.parameters + table.parameter_count);
+  t.state.assign(table.state, table.state + table.state_count);
+  t.offered = offered_by(table, StatusExtensions{});
+  static_cast<void>(Offer<assay_reason>(table, nullptr));  // which may throw, too
+  const auto* example = values_of<assay_example>(table, ASSAY_EXTENSION_EXAMPLE);
+  if (example && example->parameters) t.example.assign(example->parameters, example->parameters + t.parameters.size());
+  const auto* symmetry = values_of<assay_symmetry>(table, ASSAY_EXTENSION_SYMMETRY);
+  if (symmetry) t.material_class = symmetry->material_class;
+  Writer writer;
+  pass(writer, t);
+  return writer.out;
 }
 
 void unpack(const std::string& bytes, UnpackedTable& out) {
-  Reader r(bytes, out.words);
-  assay_material& t = out.table;
-  t.abi_major = ASSAY_ABI_MAJOR;
-  t.struct_size = sizeof t;
-  t.name = r.text(), t.version = r.text(), t.licence = r.text(), t.doc = r.text();
-  t.symmetry = r.number<std::int32_t>();
-  t.flags = r.number<std::uint32_t>();
-  t.parameter_count = r.number<std::uint32_t>();
-  t.state_count = r.number<std::uint32_t>();
-  for (std::uint32_t i = 0; i < t.parameter_count; ++i) {
-    const char *name = r.text(), *unit = r.text(), *doc = r.text();
-    const auto value = r.number<double>(), lower = r.number<double>(), upper = r.number<double>();
-    out.parameters.push_back({name, unit, value, lower, upper, doc});
-  }
-  for (std::uint32_t i = 0; i < t.state_count; ++i) {
-    const char *name = r.text(), *unit = r.text(), *doc = r.text();
-    const auto kind = r.number<std::int32_t>(), role = r.number<std::int32_t>();
-    out.state.push_back({name, unit, kind, role, doc});
-  }
-  TableAbilities& a = out.abilities;
-  for (bool* ability : {&a.rate, &a.tangent, &a.energy, &a.wave_speed, &a.closed_form, &a.reason}) {
-    *ability = r.number<bool>();
-  }
-  if (r.number<bool>()) {
-    for (std::uint32_t i = 0; i < t.parameter_count; ++i) a.example.push_back(r.number<double>());
-  }
-  a.material_class = r.number<std::int32_t>();
-  t.parameters = out.parameters.data();
-  t.state = out.state.data();
+  Reader reader(bytes, out.words);
+  pass(reader, out);
+  out.table.abi_major = ASSAY_ABI_MAJOR;
+  out.table.struct_size = sizeof(assay_material);
+  out.table.parameter_count = static_cast<std::uint32_t>(out.parameters.size());
+  out.table.state_count = static_cast<std::uint32_t>(out.state.size());
+  out.table.parameters = out.parameters.data();
+  out.table.state = out.state.data();
+}
+
+std::size_t state_size_of(const assay_material& table) {
+  std::size_t size = 0;
+  for (std::uint32_t k = 0; k < table.state_count; ++k)
+    size += static_cast<std::size_t>(components_of_kind(table.state[k].kind));
+  return size;
 }
 
 }  // namespace assay::adapters

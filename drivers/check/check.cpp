@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "adapters/process/shortage.hpp"
 #include "adapters/worker/remote_table.hpp"
-#include "adapters/worker/shortage.hpp"
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/check/check_material.hpp"
 #include "drivers/material/registry.hpp"

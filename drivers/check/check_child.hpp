@@ -2,15 +2,11 @@
 // The process in which one material is checked, as its parent knows it.
 #pragma once
 
-#include <atomic>
 #include <chrono>
-#include <cstdint>
-#include <memory>
+#include <optional>
 #include <string>
 
-#include "adapters/worker/control.hpp"
-#include "adapters/worker/kept_output.hpp"
-#include "drivers/check/check_keeper.hpp"
+#include "adapters/process/kept_process.hpp"
 #include "drivers/check/check_process.hpp"
 #include "harness/material/progress_mark.hpp"
 
@@ -19,45 +15,38 @@ namespace assay::drivers {
 /// How what a process prints begins that had no memory for a report.
 inline constexpr const char* no_memory_words = "no memory is left";
 
-struct Child {
+class CheckChild {
+ public:
+  /// Throws SystemError where no process can be made.
+  CheckChild(const std::vector<CheckTask>& tasks, std::size_t task, double limit_s);
+
+  std::size_t task() const { return task_; }
+  int records() const { return records_.in(); }
+  const std::string& said() const { return said_; }  ///< its records so far
+  const adapters::Fate& fate() const { return process_->fate(); }
+  CallPhase phase() const { return static_cast<CallPhase>(fate().phase.load()); }  ///< in which its end came
+
+  /// Reads what there is, and ends what takes longer than its limit. True: nothing can come any more, since the process
+  /// has ended, whoever else may hold its pipe, or the pipe is closed.
+  bool look();
+  /// Once that is so: waits a little for the end of the process.
+  void await_end();
+
+  bool is_late() const { return late_; }
+  /// How the process ended; none where it did not, or is late.
+  adapters::Death end() const { return over_ && !late_ ? fate().end() : adapters::Death::none; }
+
+ private:
   using Clock = std::chrono::steady_clock;
+  bool read_records();
 
-  std::size_t task = 0;
-  Keeper keeper;
-  int in = -1;     ///< its records
-  int heard = -1;  ///< what the model prints
-  Clock::time_point end;
-  adapters::WorkerLimits limits;
-  std::string said;  ///< its records so far
-  std::unique_ptr<adapters::KeptOutput> output;
-  adapters::Control* control = nullptr;  ///< shared: of a foreign call that runs, and how the end was seen to come
-  std::uint64_t begin_bytes = 0;         ///< of memory
-  enum class Excess { none, time, call, memory } excess = Excess::none;  ///< for which it was ended
-  adapters::Death claim = adapters::Death::none;                         ///< how it saw its end come
-  std::string words;                                                     ///< by which a model ended itself
-  CallPhase phase = CallPhase::updating;                                 ///< in which its end came
-  bool over = false;                                                     ///< the process has ended, with `status`
-  bool lost = false;                                                     ///< and took its keeper with it
-  int status = 0;
+  std::size_t task_;
+  Clock::time_point end_;
+  adapters::Pipe records_;
+  std::optional<adapters::KeptProcess> process_;
+  std::string said_;
+  bool late_ = false;  ///< it took too long in all
+  bool over_ = false;  ///< the process has ended
 };
-
-/// Throws SystemError where no process can be made.
-Child start_child(const std::vector<CheckTask>& tasks, std::size_t task, double limit_s);
-
-/// What it takes too much of, by now.
-Child::Excess excess_of(const Child& child);
-
-/// Whether the process has ended, by now.
-bool is_over(Child& child);
-
-/// Reads what there is. True: its records have come to an end.
-bool read_records(Child& child);
-void read_output(Child& child);
-
-/// Ends the process, with all that it has started, and whatever it was in.
-void end_process(const Child& child);
-
-/// Ends and forgets it, with its files.
-void release(Child& child);
 
 }  // namespace assay::drivers

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "adapters/foreign/written_inputs.hpp"
-#include "adapters/worker/kept_output.hpp"
-#include "adapters/worker/process_watch.hpp"
+#include "adapters/process/printed.hpp"
+#include "adapters/process/process_watch.hpp"
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/check/replay.hpp"
 #include "drivers/material/material_description.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "adapters/foreign/written_inputs.hpp"
-#include "adapters/worker/worker_limits.hpp"
+#include "adapters/process/fate.hpp"
 #include "drivers/check/check_report.hpp"
 
 namespace assay::drivers {

@@ -13,7 +13,7 @@
 #include <iostream>
 #include <string_view>
 
-#include "adapters/worker/shortage.hpp"
+#include "adapters/process/shortage.hpp"
 #include "drivers/command_line/verb.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/output/junit.hpp"

@@ -6,9 +6,10 @@
 #include <string>
 
 #include "adapters/foreign/foreign_library.hpp"
-#include "adapters/worker/crash_marks.hpp"
-#include "adapters/worker/warden.hpp"
+#include "adapters/process/fate.hpp"
+#include "adapters/worker/worker.hpp"
 #include "drivers/command_line/command_line.hpp"
+#include "drivers/material/material_table.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/simulation/stress_offload.hpp"
 
@@ -30,7 +31,7 @@ bool is_worker(int argc, const char* const* argv) { return argc == 2 && std::str
 
 int worker() noexcept {
   try {
-    return adapters::run_warden(work);
+    return adapters::run_worker(work);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "assay worker: is started by other verbs: %s\n", error.what());
     return 2;

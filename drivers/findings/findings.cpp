@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "adapters/foreign/written_inputs.hpp"
-#include "adapters/worker/process_watch.hpp"
+#include "adapters/process/process_watch.hpp"
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/check/check_material.hpp"
 #include "drivers/check/replay.hpp"
@@ -76,14 +76,14 @@ void record_failure(const MaterialFailure& failure, Result& result) {
 }
 
 void record_process(const Material& material, Result& result) {
-  const adapters::Habits habits = adapters::habits_of(&material.table()) | supervised_habits();
+  const adapters::WorkerMarks marks = adapters::marks_of(&material.table());
+  const adapters::Habits habits = marks.habits | supervised_habits();
   const std::string words = adapters::habit_words(habits);
   if (!words.empty()) result.warnings.push_back("the model " + words);
   result.disturbed = (habits & ~adapters::any_written_input) != adapters::no_habit;
-  result.printed = adapters::output_of(&material.table());
-  const adapters::HandOvers hand_overs = adapters::hand_overs_of(&material.table());
-  result.hand_overs = hand_overs.count;
-  result.wake_ups = hand_overs.wake_ups;
+  result.printed = marks.printed;
+  result.hand_overs = marks.hand_overs;
+  result.wake_ups = marks.wake_ups;
 }
 
 void leave_replay(const Scene& scene, OutputFolder& folder, Result& result) {

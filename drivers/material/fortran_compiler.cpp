@@ -11,7 +11,7 @@
 #include <optional>
 #include <sstream>
 
-#include "adapters/worker/shortage.hpp"
+#include "adapters/process/shortage.hpp"
 #include "drivers/material/tool_process.hpp"
 #include "drivers/system/whole_file.hpp"
 #include "drivers/text/numbers.hpp"

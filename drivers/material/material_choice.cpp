@@ -52,7 +52,7 @@ Material created(const MaterialChoice& choice, const MaterialSource& source) {
     throw InputError(where, one_line(key, 100), error.what() + more, error.known());
   } catch (const std::runtime_error& error) {
     const bool threw = std::string_view(error.what()).find(exception_words) != std::string_view::npos;
-    if (threw || adapters::has_ended(source.table))
+    if (threw || adapters::marks_of(source.table).ended)
       throw ModelEnded(choice.where, choice.adapter_key, without_unseen(one_line_of(error.what())));
     throw InputError(choice.where, choice.parameters_key,
                      without_unseen(one_line_of(error.what())));  // the model's own words

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "adapters/foreign/foreign_model.hpp"
-#include "adapters/worker/worker_limits.hpp"
+#include "adapters/process/fate.hpp"
 #include "drivers/format/yaml_reader.hpp"
 #include "drivers/system/input_error.hpp"
 

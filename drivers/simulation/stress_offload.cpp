@@ -5,14 +5,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <functional>
+#include <ranges>
 #include <system_error>
 
+#include "adapters/process/shortage.hpp"
 #include "adapters/worker/remote_table.hpp"
-#include "adapters/worker/shortage.hpp"
-#include "drivers/simulation/stress_page.hpp"
 #include "drivers/system/input_error.hpp"
-#include "drivers/text/numbers.hpp"
 #include "mpm/compose.hpp"
 
 namespace assay::drivers {
@@ -30,12 +28,6 @@ std::size_t doubles_of(const mpm::Setup<2>& setup) {
   return bytes / sizeof(double) * setup.seeds.size() + 8 * alignment;
 }
 
-std::string task_of(const Material& material, const std::string& model) {
-  std::string values;
-  for (const double value : material.parameters()) values += (values.empty() ? "" : " ") + number_text(value);
-  return std::string(stress_task) + "\n" + values + model.substr(model.find('\n'));
-}
-
 }  // namespace
 
 struct StressOffload::Worker {
@@ -50,9 +42,12 @@ StressOffload::StressOffload(const mpm::Setup<2>& setup) try
       state_size_(setup.material->state_size()),
       columns_(sizeof(double) * doubles_of(setup)) {
   adapters::WorkerStart start = adapters::start_of(&setup.material->table());
-  start.task = task_of(*setup.material, start.task);
+  start.task = stress_task + start.task.substr(start.task.find('\n'));
   start.columns = columns_.file();
-  for (int k = 0; k < setup.threads; ++k) workers_.push_back(std::make_unique<Worker>(start));
+  for (int k = 0; k < setup.threads; ++k) {
+    workers_.push_back(std::make_unique<Worker>(start));
+    std::ranges::copy(material_->parameters(), parameters_behind(workers_.back()->page()));
+  }
 } catch (const std::system_error& error) {
   throw SystemError(std::string("workers cannot be started: ") + error.what());
 }
@@ -80,20 +75,9 @@ double* StressOffload::allocate(std::size_t n) {
 
 void StressOffload::place(const mpm::StressColumns<2>& columns) {
   placed_ = columns;
-  const auto* base = static_cast<const double*>(columns_.data());
-  const auto offsets = [&](const auto& list, std::size_t* out) {
-    for (const double* column : list) *out++ = column ? static_cast<std::size_t>(column - base) : 0;
-  };
   for (const auto& worker : workers_) {
-    StressPage& page = worker->page();
-    offsets(columns.deformation_gradient, page.deformation_gradient);
-    offsets(columns.velocity_gradient, page.velocity_gradient);
-    offsets(columns.stress, page.stress);
-    offsets(columns.history, page.history);
-    const std::array<double*, 2> scales{columns.volume_scale, columns.volume_scale_before};
-    offsets(scales, page.volume_scale);
-    for (std::size_t k : {0, 1}) page.scales_volume[k] = scales[k] ? 1 : 0;
-    page.rate_of_F = columns.rate_of_F;
+    worker->page().columns = columns;
+    worker->page().base = static_cast<const double*>(columns_.data());
   }
 }
 
@@ -118,19 +102,6 @@ mpm::BlockOutcome StressOffload::update(std::size_t thread, std::size_t begin, s
   return outcome;
 }
 
-namespace {
-
-/// Of a model that took the block as a whole and ended its worker: the first point that does so alone.
-std::optional<std::size_t> point_that_ends(const Material& material, std::size_t n,
-                                           const std::function<FailedStep(std::size_t)>& step_of) {
-  for (std::size_t p = 0; p < n; ++p) {
-    if (take_again(material, step_of(p)).dt_factor == 0) return p;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 /// The particle of [begin, end) that was worked on, with its step: of a worker that is dead, or has refused. What its
 /// page says of places is not trusted: the model can write there.
 mpm::BlockOutcome StressOffload::death_of(Worker& worker, std::size_t begin, std::size_t end, const mpm::Instant& now) {
@@ -145,6 +116,7 @@ mpm::BlockOutcome StressOffload::death_of(Worker& worker, std::size_t begin, std
   const auto step_of = [&](std::size_t p) {
     return failed_step(now.t, std::abs(now.dt), n, p, F0, F1, state0, state_size_);
   };
+  const auto points = std::views::iota(std::size_t{0}, n);
   mpm::BlockOutcome outcome;
   outcome.refused = block;
   outcome.message = "the model " + worker.process.how_it_ended();
@@ -153,8 +125,10 @@ mpm::BlockOutcome StressOffload::death_of(Worker& worker, std::size_t begin, std
     const bool killed = !refused && worker.process.killed();
     if (killed && take_again(*material_, step_of(*outcome.refused - block)).dt_factor != 0)
       adapters::note_killed_worker();
-  } else if (const auto found = point_that_ends(*material_, n, step_of)) {
-    outcome.refused = block + *found;
+  } else if (const auto found = std::ranges::find_if(
+                 points, [&](std::size_t p) { return take_again(*material_, step_of(p)).dt_factor == 0; });
+             found != points.end()) {
+    outcome.refused = block + *found;  // of a model that took the block as a whole
   } else {
     if (worker.process.killed()) adapters::note_killed_worker();
     outcome.message += " in a block of " + std::to_string(n) + " particles, by none of them alone; the first is";

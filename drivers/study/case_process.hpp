@@ -2,12 +2,12 @@
 // One run of a case, in a process of its own: `assay run` as a user would call it.
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
-#include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "adapters/process/kept_process.hpp"
 
 namespace assay::drivers {
 
@@ -25,7 +25,7 @@ class CaseProcess {
  public:
   /// Starts the program with these arguments; it dies with this process. limit_s: 0 is none. Throws SystemError.
   CaseProcess(const std::string& program, const std::vector<std::string>& arguments, double limit_s);
-  CaseProcess(CaseProcess&& other) noexcept;
+  CaseProcess(CaseProcess&& other) = default;
   CaseProcess& operator=(CaseProcess&&) = delete;
   /// Ends it where it still runs: it removes what is not complete.
   ~CaseProcess();
@@ -36,10 +36,9 @@ class CaseProcess {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void collect(int status, double cpu_s);
 
-  pid_t pid_ = -1;
-  int errors_ = -1;  ///< what it prints, in memory
+  std::unique_ptr<adapters::PrintedFile> errors_;
+  std::unique_ptr<adapters::KeptProcess> process_;  ///< none: it has ended
   double limit_s_;
   Clock::time_point start_;
   double busy_at_start_;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <atomic>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -15,8 +16,8 @@
 #include <new>
 #include <string>
 
-#include "adapters/worker/crash_marks.hpp"
-#include "adapters/worker/shortage.hpp"
+#include "adapters/process/fate.hpp"
+#include "adapters/process/shortage.hpp"
 
 namespace assay::drivers {
 
@@ -73,14 +74,8 @@ void on_exit() {
   if (is_guarded()) say_ended();
 }
 
-/// Behind `text`, in decimal digits; async-signal-safe.
-void append(char*& text, long number) {
-  char digits[24];
-  std::size_t count = 0;
-  do digits[count++] = static_cast<char>('0' + number % 10);
-  while ((number /= 10) > 0);
-  while (count > 0) *text++ = digits[--count];
-}
+/// Behind `text`; async-signal-safe.
+void append(char*& text, long number) { text = std::to_chars(text, text + 24, number).ptr; }
 
 void append(char*& text, const char* words) { text = ::stpcpy(text, words); }
 

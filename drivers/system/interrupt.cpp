@@ -9,11 +9,12 @@
 #include <ctime>
 #include <string>
 
-#include "adapters/worker/shortage.hpp"
+#include "adapters/process/shortage.hpp"
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/system/exit_guard.hpp"
 #include "drivers/system/input_error.hpp"
 #include "harness/material/own_process.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::drivers {
 
@@ -25,12 +26,6 @@ static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler 
 
 /// One stop may arrive twice: timeout(1) signals its child and then the child's process group.
 constexpr std::int64_t same_stop = 300'000'000;  // [ns]
-
-std::int64_t monotonic_ns() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 /// A native model that does not come back polls no flag: a second SIGTERM comes from here where none of us has noticed
 /// the first signal by then.
@@ -55,7 +50,7 @@ void make_timer() {
 
 void on_signal(int signal, siginfo_t* why, void* /*context*/) {
   std::int64_t none = 0;
-  const std::int64_t now = monotonic_ns();
+  const std::int64_t now = now_ns();
   if (first_time.compare_exchange_strong(none, now)) {
     first_signal = signal;
     is_own = why->si_code <= 0 && why->si_code != SI_TIMER && why->si_pid == ::getpid();

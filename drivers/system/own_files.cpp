@@ -16,8 +16,7 @@
 #include <string>
 #include <system_error>
 
-#include "adapters/worker/high_files.hpp"
-#include "adapters/worker/own_folder.hpp"
+#include "adapters/process/private_files.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/unseen.hpp"
 

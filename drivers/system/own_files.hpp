@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "adapters/worker/process_watch.hpp"
+#include "adapters/process/process_watch.hpp"
 
 namespace assay::drivers {
 

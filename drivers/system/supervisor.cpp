@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/system/supervisor.hpp"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -20,11 +23,10 @@
 #include <utility>
 #include <vector>
 
-#include "adapters/worker/descendants.hpp"
+#include "adapters/process/descendants.hpp"
 #include "drivers/system/exit_guard.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/own_files.hpp"
-#include "drivers/system/own_terminal.hpp"
 #include "harness/material/own_process.hpp"
 #include "harness/material/thrown.hpp"
 
@@ -167,6 +169,43 @@ std::string line_of(const Ended& ended) {
   leave_process(128 + signal);
 }
 
+/// The settings of the user's terminal, which outlive the program: how they were when this was made. Where this process
+/// is not the one in front, or has no terminal, nothing is done.
+class OwnTerminal {
+ public:
+  OwnTerminal()
+      : file_(::open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK)),
+        is_known_(file_ >= 0 && ::tcgetpgrp(file_) == ::getpgrp() && ::tcgetattr(file_, &before_) == 0) {}
+  OwnTerminal(const OwnTerminal&) = delete;
+  OwnTerminal& operator=(const OwnTerminal&) = delete;
+  ~OwnTerminal() {
+    if (file_ >= 0) ::close(file_);
+  }
+
+  /// Puts them right; whether something was changed.
+  bool put_right() const {
+    termios now = {};
+    if (!is_known_ || ::tcgetattr(file_, &now) != 0 || alike(now, before_)) return false;
+    sigset_t of_writers, blocked;  // who is no longer in front would be stopped
+    ::sigemptyset(&of_writers);
+    ::sigaddset(&of_writers, SIGTTOU);
+    ::sigprocmask(SIG_BLOCK, &of_writers, &blocked);
+    ::tcsetattr(file_, TCSANOW, &before_);
+    ::sigprocmask(SIG_SETMASK, &blocked, nullptr);
+    return true;
+  }
+
+ private:
+  static bool alike(const termios& a, const termios& b) {
+    return a.c_iflag == b.c_iflag && a.c_oflag == b.c_oflag && a.c_cflag == b.c_cflag && a.c_lflag == b.c_lflag &&
+           std::ranges::equal(a.c_cc, b.c_cc);
+  }
+
+  int file_;
+  termios before_ = {};  ///< above what fills it in
+  bool is_known_;
+};
+
 [[noreturn]] void watch(pid_t child, const Parting& word, const OwnTerminal& terminal) {
   const Ended ended = end_of(child, word);
   if (adapters::end_descendants()) {
@@ -191,14 +230,9 @@ std::string line_of(const Ended& ended) {
   leave_process(3);
 }
 
-struct KeptInstance {
-  void (*destroy)(void*);
-  void* self;
-};
-
 struct KeptInstances {
   std::mutex guard;
-  std::vector<KeptInstance> all;
+  std::vector<std::pair<void (*)(void*), void*>> all;  ///< how each is destroyed
 };
 
 /// Never destroyed: a material may go after all that is static here.
@@ -209,16 +243,14 @@ KeptInstances& kept() {
 
 void keep(void (*destroy)(void*), void* self) {
   const std::lock_guard lock(kept().guard);
-  kept().all.push_back({destroy, self});
+  kept().all.emplace_back(destroy, self);
 }
 
 }  // namespace
 
 void release_instances() {
   takes_instances_over = nullptr;
-  for (const KeptInstance& each : std::exchange(kept().all, {})) {
-    destroy_marked(each.destroy, each.self);
-  }
+  for (const auto& [destroy, self] : std::exchange(kept().all, {})) destroy_marked(destroy, self);
 }
 
 void keep_instances() { takes_instances_over = keep; }

@@ -11,7 +11,7 @@
 
 #include "adapters/builtin.hpp"
 #include "adapters/foreign/foreign_state.hpp"
-#include "adapters/probe.hpp"
+#include "adapters/worker/probe.hpp"
 #include "drivers/command_line/verb.hpp"
 #include "drivers/format/yaml_lines.hpp"
 #include "drivers/material/abaqus_deck.hpp"

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "adapters/builtin.hpp"
+#include "adapters/worker/probe.hpp"
 #include "harness/material/material.hpp"
 #include "tests/support/built.hpp"
 

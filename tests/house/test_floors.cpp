@@ -25,6 +25,7 @@ const std::map<std::string, std::vector<std::string>> rooms{
     {"harness", {"", "numeric", "material", "motion", "history", "sheet", "stability", "exact", "check"}},
     {"mpm",
      {"data", "grid", "basis", "setup", "seeding", "kernels", "step", "mass", "material", "effects", "", "patch"}},
+    {"adapters", {"models", "", "foreign", "process", "worker", "abaqus"}},
     {"drivers",
      {"text", "system", "format", "picture", "result", "scene", "material", "output", "simulation", "check", "findings",
       "explain", "tabulation", "study", "command_line", "verbs", ""}},
@@ -123,6 +124,7 @@ TEST(Rooms, AnIncludeThatPointsUpIsCaught) {
   EXPECT_EQ(fault_of_rooms("mpm/compose.cpp", "mpm/effects/images.hpp"), "");
   EXPECT_EQ(fault_of_rooms("mpm/effects/images.cpp", "harness/check/judge.hpp"), "") << "another floor";
   EXPECT_EQ(fault_of_rooms("drivers/verbs/run.cpp", "drivers/scene/scene.hpp"), "");
+  EXPECT_NE(fault_of_rooms("adapters/process/forked.cpp", "adapters/worker/worker_process.hpp"), "");
   EXPECT_NE(fault_of_rooms("drivers/scene/scene.hpp", "drivers/verbs/run.hpp"), "");
 }
 

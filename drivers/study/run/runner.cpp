@@ -8,7 +8,7 @@
 #include <list>
 #include <set>
 
-#include "adapters/worker/shortage.hpp"
+#include "adapters/process/shortage.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/interrupt.hpp"
 

@@ -4,7 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "adapters/worker/process_watch.hpp"
+#include "adapters/process/process_watch.hpp"
 #include "adapters/worker/remote_table.hpp"
 #include "tests/adapters/foreign/foreign_steps.hpp"
 
@@ -71,9 +71,9 @@ TEST(WrittenInputs, AreHeardOfFromAWorker) {
   const double I[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   const std::vector<double> state0 = material.initial_state(1);
   std::vector<double> state1(state0.size()), cauchy(9);
-  EXPECT_EQ(habits_of(table), no_habit);
+  EXPECT_EQ(marks_of(table).habits, no_habit);
   material.update(0, 1, 1, I, I, state0.data(), state1.data(), cauchy.data());
-  EXPECT_EQ(habits_of(table), written_state_old);
+  EXPECT_EQ(marks_of(table).habits, written_state_old);
   end_workers();
 }
 

@@ -6,9 +6,8 @@
 #include <cfenv>
 #include <optional>
 
-#include "adapters/worker/call_arrays.hpp"
-#include "adapters/worker/servant.hpp"
-#include "adapters/worker/watched_call.hpp"
+#include "adapters/worker/operations.hpp"
+#include "adapters/worker/worker.hpp"
 #include "harness/history/history_task.hpp"
 #include "harness/material/progress_mark.hpp"
 #include "harness/motion/kinds/vortex.hpp"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/worker/remote_histories.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -55,7 +54,7 @@ TEST_F(RemoteHistories, AreTheBitsOfHistoriesHereAndTakeOneHandOverEach) {
   const Course remote(there, path, end), local(model, path, end);
   ASSERT_TRUE(remote.elsewhere && !local.elsewhere);
   EXPECT_EQ(remote.scales.state, local.scales.state);
-  EXPECT_EQ(hand_overs_of(&there.table()).count, 1) << "the coarse march";
+  EXPECT_EQ(marks_of(&there.table()).hand_overs, 1) << "the coarse march";
   std::int64_t calls = 0;
   for (const double xi : {-3.2, -0.4, 0.05, 2.1}) {
     const HistoryTrail expected = follow(local, xi, options, times), found = follow(remote, xi, options, times);
@@ -68,8 +67,8 @@ TEST_F(RemoteHistories, AreTheBitsOfHistoriesHereAndTakeOneHandOverEach) {
     calls += found.calls;
   }
   EXPECT_GT(calls, 3000);
-  EXPECT_EQ(hand_overs_of(&there.table()).count, 5);
-  EXPECT_LE(hand_overs_of(&there.table()).wake_ups, 2 * (5 + 3)) << "one a side, for these, metadata and instance";
+  EXPECT_EQ(marks_of(&there.table()).hand_overs, 5);
+  EXPECT_LE(marks_of(&there.table()).wake_ups, 2 * (5 + 3)) << "one a side, for these, metadata and instance";
 }
 
 TEST_F(RemoteHistories, GoOnTogetherInOneHandOver) {
@@ -77,7 +76,7 @@ TEST_F(RemoteHistories, GoOnTogetherInOneHandOver) {
   const Course remote(there, path, end), local(model, path, end);
   const std::vector<double> xi{-3.2, -0.4, 0.05, 2.1};
   Troop expected(local, xi, options), found(remote, xi, options);
-  const std::int64_t before = hand_overs_of(&there.table()).count;
+  const std::int64_t before = marks_of(&there.table()).hand_overs;
   for (const double t : times) {
     expected.advance(t);
     found.advance(t);
@@ -88,7 +87,7 @@ TEST_F(RemoteHistories, GoOnTogetherInOneHandOver) {
   }
   EXPECT_EQ(found.calls(), expected.calls());
   EXPECT_EQ(found.error(), expected.error());
-  EXPECT_EQ(hand_overs_of(&there.table()).count - before, static_cast<std::int64_t>(times.size()));
+  EXPECT_EQ(marks_of(&there.table()).hand_overs - before, static_cast<std::int64_t>(times.size()));
 }
 
 /// Each thread's share lives in a worker of its own.

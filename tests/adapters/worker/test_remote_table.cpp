@@ -185,7 +185,7 @@ TEST_F(RemoteTable, KeepsWhatIsPrinted) {
   step(material, 1);
   end_workers();
   step(material, 0);
-  const std::string printed = output_of(table);
+  const std::string printed = marks_of(table).printed;
   EXPECT_LT(printed.size(), 1u << 16);
   EXPECT_NE(printed.find("bytes are left out"), std::string::npos) << printed.substr(0, 200);
 }

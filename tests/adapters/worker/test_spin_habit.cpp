@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/worker/spin_habit.hpp"
+#include "adapters/worker/hand_over.hpp"
 
 #include <gtest/gtest.h>
 
