@@ -56,7 +56,6 @@ class Side {
     mpm::Setup<2>& setup = problem_.setup;
     if (problem_.compared) {
       setup.exact = exact_solution_of(problem_.scene, problem_.material, problem_.scene.time.end);
-      if (setup.exact->response()) setup.response = *setup.exact->response();
     }
     if (way.effect == "isolation" && with) {
       setup.offload = StressOffload::offload_of(std::make_shared<StressOffload>(setup));

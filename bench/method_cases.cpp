@@ -46,7 +46,8 @@ Setup<2> vortex(const Method& method, int across, int threads) {
   setup.motion = motion;
   setup.body_force = true;
   setup.evaluation = Evaluation::domain_average;
-  setup.response = std::make_shared<const Response>(Sheet(*setup.material, motion.baseline(), {}));
+  setup.exact = exact_polar(motion, setup.density,
+                            std::make_shared<const Response>(Sheet(*setup.material, motion.baseline(), {})));
   setup.threads = threads;
   return setup;
 }

@@ -10,7 +10,6 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
-#include "harness/exact/body_force.hpp"
 #include "mpm/material/material_batch.hpp"
 #include "mpm/simulation.hpp"
 
@@ -26,12 +25,14 @@ class ByHand {
       : s_(s),
         b_{std::span(s.column(Column::body_force, 0), s.particles),
            std::span(s.column(Column::body_force, 1), s.particles)},
-        force_(*s.setup.motion, s.setup.density, std::span(s.column(Column::reference_position, 0), s.particles),
-               std::span(s.column(Column::reference_position, 1), s.particles)),
+        exact_(s.setup.exact->instant({std::span(s.column(Column::reference_position, 0), s.particles),
+                                       std::span(s.column(Column::reference_position, 1), s.particles)},
+                                      {.force = true})),
         materials_(s) {}
 
   void step(const Instant& now) {
-    force_.evaluate(*s_.setup.response, now.t, b_[0], b_[1]);
+    exact_->set_time(now.t);
+    exact_->body_force(b_[0], b_[1]);
     s_.inertia.zero(s_.live.runs());
     s_.force.zero(s_.live.runs());
     for_each_block([&](const Block& block) {
@@ -74,7 +75,7 @@ class ByHand {
 
   State<2>& s_;
   std::array<std::span<double>, 2> b_;
-  BodyForceField force_;
+  std::unique_ptr<ExactInstant> exact_;
   MaterialBatches<2> materials_;
 };
 
@@ -89,7 +90,6 @@ int main(int count, char** words) {
   drivers::Problem problem =
       drivers::assemble(drivers::read_scene(ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml", sets), 1);
   problem.setup.exact = drivers::exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
-  problem.setup.response = *problem.setup.exact->response();
   Simulation<2> simulation(problem.setup);
   State<2>& s = simulation.state();
   ByHand by_hand(s);

@@ -168,13 +168,10 @@ std::string ends_text(const Problem& problem) {
 std::string response_text(const Problem& problem, const ExactSolution* exact) {
   if (!problem.compared) return "no body force\n";
   if (!exact) return "response: not computed, because the run is refused\n";
-  if (exact->box()) {
-    const BoxStress& box = **exact->box();
-    return fmt::format("response: a cosine series of {} x {} modes, {} at each node\n", box.modes(0), box.modes(1),
-                       box.is_history() ? "a history" : "an update");
-  }
-  const Response* response = exact->response() ? exact->response()->get() : nullptr;
+  const Response* response = exact->response();
   if (!response) {
+    if (const auto source = exact->source(); source && !source->by.empty())
+      return fmt::format("response: {}, {} at each node\n", source->what, source->by);
     const std::string forces = problem.setup.body_force ? "body force: the acceleration\n" : "no body force\n";
     const bool known = problem.material->is_function_of_F();
     return forces + (known ? "stress: of the motion's F\n" : "stress: one history, with error control\n");
@@ -194,8 +191,7 @@ std::string response_text(const Problem& problem, const ExactSolution* exact) {
 
 std::string explanation(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen, bool json) {
   const Composition c = composition_of(problem);
-  if (json)
-    return explanation_json(problem, c, exact && exact->response() ? exact->response()->get() : nullptr, screen);
+  if (json) return explanation_json(problem, c, exact ? exact->response() : nullptr, screen);
   return passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) + work_text(c) + effects_text(c) +
          steps_text(problem) + frame_line(problem) + exact_solution_line(problem) + ends_text(problem) +
          response_text(problem, exact) + wrapped(screen_sentence(screen), "motion: ", "  ");

@@ -6,7 +6,7 @@
 
 #include "drivers/result/result.hpp"
 #include "drivers/simulation/problem.hpp"
-#include "harness/exact/exact_solution.hpp"
+#include "harness/exact/exact_fields.hpp"
 
 namespace assay::drivers {
 

@@ -31,44 +31,24 @@ void record_sheet(const Scene& scene, const Response& response, double seconds, 
   if (!sheet->restored()) result.material_calls += sheet->material_calls();
 }
 
-void record_shadow(const Scene& scene, const Response& response, Result& result) {
-  const Shadow* points = response.shadow();
-  if (!points) return;
+void record_source(const Scene& scene, const ExactSolution& exact, double seconds, Result& result) {
+  const auto source = exact.source();
+  if (!source) return;
   SheetFigures figures;
-  figures.points = points->radii();
-  figures.error_tau = points->error();
-  figures.along = grouped_text(points->radii()) + " shadow histories";
+  figures.points = source->points;
+  figures.error_tau = source->error;
   figures.asked = scene.force.tolerance;
+  figures.along = exact.response() ? grouped_text(source->points) + " " + source->what : source->what;
+  if (!source->by.empty()) {
+    figures.along += ", by " + source->by + " at each of its nodes";
+    figures.wall_s = seconds;
+  }
   result.sheet = figures;
-  result.material_calls += points->calls();
-}
-
-void record_history(const Scene& scene, const HomogeneousStress& stress, Result& result) {
-  if (!stress.is_history()) return;
-  SheetFigures figures;
-  figures.points = 1;
-  figures.error_tau = stress.error();
-  figures.along = "one history";
-  figures.asked = scene.force.tolerance;
-  result.sheet = figures;
-  result.material_calls += stress.material_calls();
-}
-
-void record_box(const Scene& scene, const BoxStress& stress, double seconds, Result& result) {
-  SheetFigures figures;
-  figures.wall_s = seconds;
-  figures.points = stress.modes(0) * stress.modes(1);
-  const std::string size = std::to_string(stress.modes(0)) + " x " + std::to_string(stress.modes(1));
-  figures.error_tau = stress.error();
-  figures.along = "a cosine series of " + size + " modes, by " + (stress.is_history() ? "a history" : "an update") +
-                  " at each of its nodes";
-  figures.asked = scene.force.tolerance;
-  result.sheet = figures;
-  result.material_calls += stress.material_calls();
+  result.material_calls += source->material_calls;
 }
 
 void record_force_error(const Scene& scene, const Response& response, Result& result) {
-  if (!ring_of(scene.motion) || !response.sheet() || !result.sheet) return;
+  if (!scene.motion->polar() || !response.sheet() || !result.sheet) return;
   result.sheet->error_b = force_error(scene.motion, scene.material.density, *response.sheet(), scene.time.end);
 }
 

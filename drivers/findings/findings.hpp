@@ -5,9 +5,7 @@
 #include "drivers/output/output_folder.hpp"
 #include "drivers/result/result.hpp"
 #include "drivers/scene/scene.hpp"
-#include "harness/exact/box_stress.hpp"
-#include "harness/exact/homogeneous_stress.hpp"
-#include "harness/exact/response.hpp"
+#include "harness/exact/exact_fields.hpp"
 #include "harness/history/point_driver.hpp"
 #include "harness/numeric/stopwatch.hpp"
 
@@ -16,15 +14,9 @@ namespace assay::drivers {
 /// Size and error of the sheet, seconds it took; nothing where the response is a closed form.
 void record_sheet(const Scene& scene, const Response& response, double seconds, Result& result);
 
-/// Number and error of the shadow points, once the run is over; nothing where the response is something else.
-void record_shadow(const Scene& scene, const Response& response, Result& result);
-
-/// Of a motion whose F is the same everywhere: the error of its one history.
-void record_history(const Scene& scene, const HomogeneousStress& stress, Result& result);
-
-/// Of a motion in the unit box: size and error of its series, once the run is over, and the seconds in which its size
-/// was found.
-void record_box(const Scene& scene, const BoxStress& stress, double seconds, Result& result);
+/// What stands behind a stress that no sheet has, once the run is over: number and error of histories, or size and
+/// error of the series of the unit box and the seconds in which its size was found.
+void record_source(const Scene& scene, const ExactSolution& exact, double seconds, Result& result);
 
 /// What the sheet's error does to the body force of a polar motion.
 void record_force_error(const Scene& scene, const Response& response, Result& result);

@@ -49,35 +49,38 @@ std::array<double, N> over(std::array<double, N> values, double unit) {
 
 }  // namespace
 
-ErrorSampler::ErrorSampler(const Problem& problem, std::shared_ptr<const ExactSolution> solution,
-                           const mpm::State<2>& state)
-    : frame_(problem.scene.frame.value_or(Frame{})),
-      field_(std::move(solution), frame_, std::span(state.column(Column::reference_position, 0), state.particles),
-             std::span(state.column(Column::reference_position, 1), state.particles)),
-      held_(problem.setup.seeds.held.size()),
+ExactSolutionPtr as_seen(const Scene& scene, const ExactSolutionPtr& own) {
+  return scene.frame ? seen_from(*scene.frame, own) : own;
+}
+
+ErrorSampler::ErrorSampler(const Problem& problem, const ExactSolutionPtr& solution, const mpm::State<2>& state)
+    : held_(problem.setup.seeds.held.size()),
       stress_unit_(power_of_two_near(problem.setup.density * problem.wave_speed * problem.wave_speed)),
       displacement_error_(state.particles),
-      measure_(state.particles) {}
+      measure_(state.particles) {
+  const ExactSolutionPtr seen = as_seen(problem.scene, solution);
+  const ExactPoints points{std::span(state.column(Column::reference_position, 0), state.particles),
+                           std::span(state.column(Column::reference_position, 1), state.particles)};
+  now_ = seen->instant(points, {.stress = true});
+  velocity_ = seen->instant(points, {.motion = true});
+}
 
 ErrorSample ErrorSampler::sample(const mpm::State<2>& s, double t, double velocity_time) {
-  field_.set_time(t, velocity_time);
-  const double cos_spin = std::cos(frame_.spin * t), sin_spin = std::sin(frame_.spin * t);
-  const double c_x = frame_.velocity.x() * t, c_y = frame_.velocity.y() * t;
+  now_->set_time(t);
+  velocity_->set_time(velocity_time);
   NormAccumulator u, v, F, J, stress, exact, all;
   for (std::size_t p = 0; p < s.particles; ++p) {
-    const PlaneState e = field_.at(p);
-    const auto X = components<2>(s, Column::reference_position, p);
+    const PlaneState e = now_->state(p);
     const auto F_p = components<4>(s, Column::deformation_gradient, p);
     const double volume = s.column(Column::volume)[p];
     const double du2 = distance2(components<2>(s, Column::position, p), e.x);
     displacement_error_[p] = std::sqrt(du2);
-    measure_[p] = field_.measure(p, F_p);
+    measure_[p] = now_->measure(p, F_p);
     all.add(1, du2);
-    if (!field_.moves(p)) continue;
+    if (!now_->moves(p)) continue;
     u.add(volume, du2);
-    const double x = e.x[0] - c_x, y = e.x[1] - c_y;  // in the body's own frame, but for its angle
-    exact.add(volume, square(cos_spin * x + sin_spin * y - X[0]) + square(cos_spin * y - sin_spin * x - X[1]));
-    v.add(volume, distance2(components<2>(s, Column::velocity, p), e.v));  // (28)
+    exact.add(volume, distance2(now_->displacement(p), {}));
+    v.add(volume, distance2(components<2>(s, Column::velocity, p), velocity_->velocity(p)));  // (28)
     F.add(volume, distance2(F_p, e.F));
     J.add(volume, square(determinant(F_p) - determinant(e.F)));
     stress.add(volume, distance2(over(components<5>(s, Column::stress, p), stress_unit_), over(e.sigma, stress_unit_)));

@@ -4,14 +4,17 @@
 
 #include "drivers/result/result.hpp"
 #include "drivers/simulation/problem.hpp"
-#include "harness/exact/exact_field.hpp"
+#include "harness/exact/exact_fields.hpp"
 #include "mpm/step/state.hpp"
 
 namespace assay::drivers {
 
+/// The solution in the scene's frame.
+ExactSolutionPtr as_seen(const Scene& scene, const ExactSolutionPtr& own);
+
 class ErrorSampler {
  public:
-  ErrorSampler(const Problem& problem, std::shared_ptr<const ExactSolution> solution, const mpm::State<2>& state);
+  ErrorSampler(const Problem& problem, const ExactSolutionPtr& solution, const mpm::State<2>& state);
 
   /// Errors of displacement, velocity, F, J and Cauchy stress at time t.
   /// velocity_time: to which the particles' velocities belong [s].
@@ -19,14 +22,14 @@ class ErrorSampler {
 
   /// |u - u_exact| of each particle at the time of the last sample [m].
   const std::vector<double>& displacement_error() const { return displacement_error_; }
-  /// ExactField::measure of each particle's own F at that time: shear of the vortex, else J [1].
+  /// ExactInstant::measure of each particle's own F at that time: shear of the vortex, else J [1].
   const std::vector<double>& measure() const { return measure_; }
   /// L2 norm of the exact displacement at that time, over the particles that move, in the body's own frame [m].
   double exact_displacement() const { return exact_displacement_; }
 
  private:
-  Frame frame_;
-  ExactField field_;
+  std::unique_ptr<ExactInstant> now_;       ///< as the scene's frame sees it
+  std::unique_ptr<ExactInstant> velocity_;  ///< the same at the time of the particles' velocities
   std::size_t held_;
   double stress_unit_;  ///< a power of two near rho c^2 [Pa]: squares of errors neither overflow nor vanish
   std::vector<double> displacement_error_, measure_;

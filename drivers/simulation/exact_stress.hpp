@@ -7,24 +7,16 @@
 
 #include "drivers/output/points_csv.hpp"
 #include "drivers/scene/scene.hpp"
-#include "harness/material/material.hpp"
+#include "harness/exact/exact_fields.hpp"
 
 namespace assay::drivers {
-
-/// Motion and stress of one point.
-struct ExactPoint {
-  ExactState state;
-  ExactStress stress;
-};
 
 /// Throws InputError where a point's time lies beyond the last row of motion.path, or the point outside a twisting
 /// ring.
 void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>& points, const std::string& file);
 
-/// One for each point, in their order. The vortex and the twisting ring take tau from the response that the scene asks
-/// for (20), (31), the axis-aligned motion from histories around each point; a homogeneous motion from one history on
-/// its own path, xi = own_parameter(), unless a closed form is asked for or the response is the curve tau(eps). Throws
-/// InputError, MaterialFailure, Interrupted. quiet: no terminal shows how far it is.
+/// One for each point, in their order, of exact_solution_at_points. Throws InputError, MaterialFailure, Interrupted.
+/// quiet: no terminal shows how far it is.
 std::vector<ExactPoint> exact_points(const Scene& scene, const std::shared_ptr<const Material>& material,
                                      const std::vector<ReferencePoint>& points, double end, bool quiet = true);
 

@@ -13,7 +13,7 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr double most_periods = 1000;  ///< of a sheet in time
+constexpr double most_periods = 1000;  ///< of a sheet in time, and of one history
 
 std::shared_ptr<const Response> closed_form_of(const Scene& scene, const std::shared_ptr<const Material>& material,
                                                const Path& path) {
@@ -55,16 +55,22 @@ std::shared_ptr<const Response> response_of(const Scene& scene, const std::share
   return std::make_shared<const Response>(std::move(sheet));
 }
 
-std::shared_ptr<const ExactSolution> exact_solution_of(const Scene& scene,
-                                                       const std::shared_ptr<const Material>& material, double end,
-                                                       const ResponseMaking& how) {
+namespace {
+
+BoxOptions box_options(const Scene& scene, const Path& path, double end) {
+  return {.tolerance = scene.force.tolerance, .end = end, .direction = path.material_direction};
+}
+
+}  // namespace
+
+ExactSolutionPtr exact_solution_of(const Scene& scene, const std::shared_ptr<const Material>& material, double end,
+                                   const ResponseMaking& how) {
   const Path path = baseline_path(scene);
-  ResponseMaking marching = how;
-  marching.marching = true;
   const double density = scene.material.density;
-  if (ring_of(scene.motion)) {
-    return std::make_shared<const ExactSolution>(scene.motion, density,
-                                                 response_of(scene, material, path, end, marching));
+  if (scene.motion->polar()) {
+    ResponseMaking marching = how;
+    marching.marching = true;
+    return exact_polar(scene.motion, density, response_of(scene, material, path, end, marching));
   }
   if (const auto* box = scene.motion.as<AxisAligned>()) {
     if (scene.force.response != ForceChoice::Response::sheet) {
@@ -72,15 +78,39 @@ std::shared_ptr<const ExactSolution> exact_solution_of(const Scene& scene,
                        "the motion in the unit box is run by a series of its own, which sheet stands for",
                        "sheet, none");
     }
-    BoxStressOptions options{.tolerance = scene.force.tolerance, .end = end, .direction = path.material_direction};
-    return std::make_shared<const ExactSolution>(scene.motion, density,
-                                                 std::make_shared<BoxStress>(material, *box, options));
+    ExactSolutionPtr solution = exact_box(*box, density, material, box_options(scene, path, end));
+    solution->source();  // makes the series before the run begins
+    return solution;
   }
-  constexpr double history_tolerance = 1e-4;  // of a step, of what is asked of the whole
-  return std::make_shared<const ExactSolution>(
-      scene.motion, density,
-      std::make_shared<HomogeneousStress>(material, path, own_parameter(scene.motion), end,
-                                          std::max(1e-13, history_tolerance * scene.force.tolerance)));
+  constexpr double of_step = 1e-4;  // of what is asked of the whole
+  return exact_uniform(scene.motion, density, material, path, end, std::max(1e-13, of_step * scene.force.tolerance));
+}
+
+ExactSolutionPtr exact_solution_at_points(const Scene& scene, const std::shared_ptr<const Material>& material,
+                                          double end, bool quiet) {
+  const Path path = baseline_path(scene);
+  const double density = scene.material.density;
+  const auto own = [&]() -> ExactSolutionPtr {
+    if (scene.motion->polar())
+      return exact_polar(scene.motion, density, response_of(scene, material, path, end, {.quiet = quiet}));
+    if (const auto* box = scene.motion.as<AxisAligned>())
+      return exact_box(*box, density, material, box_options(scene, path, end));
+    if (scene.force.response == ForceChoice::Response::closed_form) {
+      const auto P = [form = response_of(scene, material, path, end), xi = own_parameter(scene.motion)](double t) {
+        Tensor tau, slope;
+        form->at(xi, t, tau, slope);
+        return tau;
+      };
+      return exact_uniform(scene.motion, density, P);
+    }
+    if (!material->is_function_of_F() && end > most_periods * period_of(scene.motion)) {
+      throw InputError(scene.place("time.end"), "time.end",
+                       "a history holds at most " + rounded_text(most_periods, 6) + " periods");
+    }
+    constexpr double of_step = 1e-13;
+    return exact_uniform(scene.motion, density, material, path, end, of_step);
+  };
+  return scene.frame ? seen_from(*scene.frame, own()) : own();
 }
 
 }  // namespace assay::drivers

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "drivers/scene/scene.hpp"
-#include "harness/exact/exact_solution.hpp"
+#include "harness/exact/exact_fields.hpp"
 
 namespace assay::drivers {
 
@@ -22,8 +22,13 @@ std::shared_ptr<const Response> response_of(const Scene& scene, const std::share
                                             const Path& path, double end, const ResponseMaking& how = {});
 
 /// The scene's motion with the stress of its material, over times 0 .. end; the rest as above.
-std::shared_ptr<const ExactSolution> exact_solution_of(const Scene& scene,
-                                                       const std::shared_ptr<const Material>& material, double end,
-                                                       const ResponseMaking& how = {});
+ExactSolutionPtr exact_solution_of(const Scene& scene, const std::shared_ptr<const Material>& material, double end,
+                                   const ResponseMaking& how = {});
+
+/// The same for single points at any times, as the scene's frame sees them: each as exact as it can be. The unit box
+/// has histories around each point. A motion whose F is the same everywhere has one on its own path, xi =
+/// own_parameter(), unless a closed form is asked for.
+ExactSolutionPtr exact_solution_at_points(const Scene& scene, const std::shared_ptr<const Material>& material,
+                                          double end, bool quiet);
 
 }  // namespace assay::drivers

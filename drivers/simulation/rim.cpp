@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "drivers/text/number_format.hpp"
-#include "harness/motion/radii_of_xi.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 namespace assay::drivers {
 

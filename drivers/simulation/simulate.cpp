@@ -45,7 +45,7 @@ constexpr std::int64_t fewest_steps_of_good = 64, most_goods = 200;
 /// One run's moving parts, so that the loop itself reads as it is.
 class Run {
  public:
-  Run(Problem& problem, std::shared_ptr<const ExactSolution> exact, Snapshots& snapshots, Result& result)
+  Run(Problem& problem, ExactSolutionPtr exact, Snapshots& snapshots, Result& result)
       : problem_(problem),
         snapshots_(snapshots),
         result_(result),
@@ -55,7 +55,7 @@ class Run {
         good_interval_(std::max(fewest_steps_of_good, problem.steps / most_goods)) {
     if (problem.scene.time.control == TimeChoice::Control::current) control_.emplace(problem, simulation_.state());
     snapshots_.keep_good(simulation_.state(), 0);
-    if (exact) sampler_.emplace(problem, std::move(exact), simulation_.state());
+    if (exact) sampler_.emplace(problem, exact, simulation_.state());
     if (problem.setup.accounts) accounts_.emplace(simulation_.state());
     due_ = observations_of(problem);
   }
@@ -102,11 +102,10 @@ class Run {
     return apart ? std::make_shared<StressOffload>(problem.setup) : nullptr;
   }
 
-  static mpm::Setup<2> setup_of(const Problem& problem, const std::shared_ptr<const ExactSolution>& exact,
+  static mpm::Setup<2> setup_of(const Problem& problem, const ExactSolutionPtr& exact,
                                 const std::shared_ptr<StressOffload>& workers) {
     mpm::Setup<2> setup = problem.setup;
     setup.exact = exact;
-    if (exact && exact->response()) setup.response = *exact->response();
     if (workers) setup.offload = StressOffload::offload_of(workers);
     return setup;
   }
@@ -222,8 +221,7 @@ Observations observations_of(const Problem& problem) {
   return due;
 }
 
-void simulate(Problem& problem, std::shared_ptr<const ExactSolution> exact, Snapshots& snapshots, Progress& progress,
-              Result& result) {
+void simulate(Problem& problem, ExactSolutionPtr exact, Snapshots& snapshots, Progress& progress, Result& result) {
   auto start = Clock::now();
   Run run(problem, std::move(exact), snapshots, result);
   result.setup_s += seconds_since(start);

@@ -9,7 +9,6 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/text/number_format.hpp"
-#include "harness/exact/exact_field.hpp"
 #include "mpm/seeding/gauss_lattice.hpp"
 
 namespace assay::drivers {
@@ -101,24 +100,24 @@ const double* LastGood::column(Column which, int component) const {
   return values_.data() + (before + static_cast<std::size_t>(component)) * particles_;
 }
 
-std::string LastGood::vtu(const Problem& problem, const std::shared_ptr<const ExactSolution>& exact) const {
+std::string LastGood::vtu(const Problem& problem, const ExactSolutionPtr& exact) const {
   const auto of = [this](Column which, int component) { return column(which, component); };
   if (!exact || particles_ == 0) return particles_vtu(of, particles_, {}, t_);
   const auto X = [&](int d) { return std::span(of(Column::reference_position, d), particles_); };
-  ExactField field(exact, problem.scene.frame.value_or(Frame{}), X(0), X(1));
-  field.set_motion(t_, t_);
+  const auto field = as_seen(problem.scene, exact)->instant({X(0), X(1)}, {.motion = true});
+  field->set_time(t_);
   std::vector<double> error(particles_), measure(particles_);
   for (std::size_t p = 0; p < particles_; ++p) {
-    const std::array<double, 2> x = field.at(p).x;
+    const std::array<double, 2> x = field->state(p).x;
     error[p] = std::hypot(of(Column::position, 0)[p] - x[0], of(Column::position, 1)[p] - x[1]);
     std::array<double, 4> F{};
     for (int c = 0; c < 4; ++c) F[static_cast<std::size_t>(c)] = of(Column::deformation_gradient, c)[p];
-    measure[p] = field.measure(p, F);
+    measure[p] = field->measure(p, F);
   }
   return particles_vtu(of, particles_, compared_arrays(problem, error, measure), t_);
 }
 
-std::string Snapshots::leave_last_good(const std::shared_ptr<const ExactSolution>& exact) const {
+std::string Snapshots::leave_last_good(const ExactSolutionPtr& exact) const {
   std::string name = "last_good.vtu";
   folder_->write(name, last_good_.vtu(*problem_, exact));
   return name;

@@ -10,7 +10,6 @@
 #include "drivers/output/vtu.hpp"
 #include "drivers/picture/particle_picture.hpp"
 #include "drivers/simulation/error_sampler.hpp"
-#include "harness/exact/exact_solution.hpp"
 
 namespace assay::drivers {
 
@@ -21,7 +20,7 @@ class LastGood {
   bool empty() const { return particles_ == 0; }
   double t() const { return t_; }
   /// As a VTU file, with the error where there is an exact solution; may be null.
-  std::string vtu(const Problem& problem, const std::shared_ptr<const ExactSolution>& exact) const;
+  std::string vtu(const Problem& problem, const ExactSolutionPtr& exact) const;
 
  private:
   const double* column(mpm::Column which, int component) const;
@@ -45,7 +44,7 @@ class Snapshots {
   /// Keeps what a snapshot shows of a state that is well, in place of the one before.
   void keep_good(const mpm::State<2>& state, double t) { last_good_.keep(state, t); }
   /// Writes it, with what `add` writes of it. Returns the name of the file.
-  std::string leave_last_good(const std::shared_ptr<const ExactSolution>& exact) const;
+  std::string leave_last_good(const ExactSolutionPtr& exact) const;
 
   /// particles.pvd, and the pictures of the frames kept: name and caption of each written PNG.
   struct Written {

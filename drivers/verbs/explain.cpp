@@ -36,7 +36,7 @@ int explain(const ExplainOptions& options) {
     const Problem problem = assemble(read_scene(options.scene, options.sets), 1);
     for (const std::string& sentence : quiet ? std::vector<std::string>() : warnings_of(problem)) warn(sentence);
     const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end, quiet);
-    std::shared_ptr<const ExactSolution> exact;
+    ExactSolutionPtr exact;
     const bool refused = !refusal_sentence(problem.scene, screen, problem.material->name()).empty();
     if (problem.compared && !refused) {  // minutes for the sheet of a run that would not begin
       exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, {.quiet = quiet});

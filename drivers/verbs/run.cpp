@@ -53,13 +53,13 @@ void record_response(const Problem& problem, const Response& response, double se
 std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& options, const Stopwatch& life,
                                          OutputFolder& folder, Result& result) {
   const Stopwatch of_response;
-  std::shared_ptr<const ExactSolution> exact;
+  ExactSolutionPtr exact;
   const std::string long_motion = long_motion_sentence(problem);
   if (!long_motion.empty() && options.verbosity != Verbosity::quiet) warn(long_motion);
   if (problem.compared) {
     exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end,
                               {.threads = problem.setup.threads, .quiet = options.verbosity == Verbosity::quiet});
-    if (exact->response()) record_response(problem, **exact->response(), of_response.seconds(), result);
+    if (exact->response()) record_response(problem, *exact->response(), of_response.seconds(), result);
   }
   const double response_s = of_response.seconds();
   Snapshots snapshots(problem, folder);
@@ -70,9 +70,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
   if (result.outcome == "unstable") result.advice = advice_after_death(problem, result.reason);
   if (result.outcome == "completed")
     result.advice = advice_after_large_error(problem, result.error.relative.value_or(0));
-  if (exact && exact->response()) record_shadow(problem.scene, **exact->response(), result);
-  if (exact && exact->box()) record_box(problem.scene, **exact->box(), response_s, result);
-  if (exact && exact->homogeneous()) record_history(problem.scene, **exact->homogeneous(), result);
+  if (exact) record_source(problem.scene, *exact, response_s, result);
   result.peak_rss_bytes = peak_memory();  // before pictures are drawn
   if (problem.scene.output.tractions) {
     result.tractions = traction_table(problem, result, folder, options.verbosity == Verbosity::quiet);

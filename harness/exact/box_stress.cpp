@@ -21,8 +21,7 @@ constexpr std::size_t piola_components[] = {0, 4, 8};  // 11, 22, 33 of nine
 
 }  // namespace
 
-BoxStress::BoxStress(std::shared_ptr<const Material> material, const AxisAligned& motion,
-                     const BoxStressOptions& options)
+BoxStress::BoxStress(std::shared_ptr<const Material> material, const AxisAligned& motion, const BoxOptions& options)
     : material_(std::move(material)), motion_(motion), options_(options) {
   const double trial = std::min(options.end, trial_periods * motion.amplitude.period);
   for (int modes = fewest_modes;; modes *= 2) {
@@ -30,23 +29,28 @@ BoxStress::BoxStress(std::shared_ptr<const Material> material, const AxisAligned
     for (int k = 1; k <= trial_times; ++k) set_time(trial * k / trial_times);
     if (error() <= options.tolerance || modes >= options.most_modes) break;
   }
-  if (is_history()) lay_out(modes_, options.end);
+  begin_again();
+}
+
+void BoxStress::begin_again() {
+  if (is_history()) lay_out(series_.modes(0), options_.end);
   t_ = -1, last_modes_ = scale_ = 0;
 }
 
 void BoxStress::lay_out(int modes_wanted, double end) {
-  modes_ = modes_wanted;
+  const std::array<int, 2> modes{modes_wanted, motion_.one_dimensional ? 1 : modes_wanted};
+  series_.modes_ = modes;
   t_ = -1, last_modes_ = scale_ = 0;
-  const auto n_X = static_cast<std::size_t>(modes(0)), n_Y = static_cast<std::size_t>(modes(1)), n = n_X * n_Y;
-  along_X_ = std::make_unique<chebyshev::GaussTransform>(modes(0));
-  along_Y_ = std::make_unique<chebyshev::GaussTransform>(modes(1));
+  const std::size_t n = static_cast<std::size_t>(modes[0]) * static_cast<std::size_t>(modes[1]);
+  along_X_ = std::make_unique<chebyshev::GaussTransform>(modes[0]);
+  along_Y_ = std::make_unique<chebyshev::GaussTransform>(modes[1]);
   histories_.clear(), courses_.clear(), sections_.clear(), xi_.clear();
-  for (const double s : chebyshev::gauss_nodes(modes(0))) xi_.push_back(2 * s - 1);
-  for (const double s : chebyshev::gauss_nodes(modes(1))) {
+  for (const double s : chebyshev::gauss_nodes(modes[0])) xi_.push_back(2 * s - 1);
+  for (const double s : chebyshev::gauss_nodes(modes[1])) {
     sections_.push_back(std::make_unique<Path>(motion_.section(2 * s - 1)));
     sections_.back()->material_direction = options_.direction;
   }
-  for (auto& values : coefficients_) values.assign(n, 0);
+  for (auto& values : series_.coefficients_) values.assign(n, 0);
   if (material_->is_function_of_F()) {
     state_ = material_->initial_state(n, {}, {});
     F0_.assign(9 * n, 0), F1_.assign(9 * n, 0), cauchy_.assign(9 * n, 0), after_.assign(state_.size(), 0);
@@ -70,8 +74,8 @@ void BoxStress::set_time(double t) {
       histories_[j].advance(t);
       for (std::size_t i = 0; i < xi_.size(); ++i) {
         const Tensor tau = histories_[j].tau(i);
-        for (std::size_t c = 0; c < components; ++c) {
-          coefficients_[c][i * histories_.size() + j] = tau(static_cast<int>(c), static_cast<int>(c));
+        for (std::size_t c = 0; c < BoxSeries::components; ++c) {
+          series_.coefficients_[c][i * histories_.size() + j] = tau(static_cast<int>(c), static_cast<int>(c));
         }
       }
     }
@@ -97,16 +101,16 @@ void BoxStress::update_nodes(double t) {
   calls_ += static_cast<std::int64_t>(n);
   for (std::size_t p = 0; p < n; ++p) {
     const double J = F1_[p] * F1_[4 * n + p] * F1_[8 * n + p];
-    for (std::size_t c = 0; c < components; ++c) {
+    for (std::size_t c = 0; c < BoxSeries::components; ++c) {
       const std::size_t at = piola_components[c] * n + p;
-      coefficients_[c][p] = J * cauchy_[at] / F1_[at];
+      series_.coefficients_[c][p] = J * cauchy_[at] / F1_[at];
     }
   }
 }
 
 void BoxStress::find_coefficients() {
   const std::size_t n_X = xi_.size(), n_Y = sections_.size();
-  for (auto& values : coefficients_) {
+  for (auto& values : series_.coefficients_) {
     for (std::size_t i = 0; i < n_X; ++i) (*along_Y_)(values.data() + i * n_Y);
     for (std::size_t j = 0; j < n_Y; ++j) (*along_X_)(values.data() + j, n_Y);
   }
@@ -115,7 +119,7 @@ void BoxStress::find_coefficients() {
 /// Of the last two modes in each direction.
 void BoxStress::measure() {
   const std::size_t n_X = xi_.size(), n_Y = sections_.size();
-  for (const auto& values : coefficients_) {
+  for (const auto& values : series_.coefficients_) {
     for (std::size_t k = 0; k < n_X; ++k) {
       for (std::size_t l = 0; l < n_Y; ++l) {
         const double value = std::abs(values[k * n_Y + l]);
@@ -126,9 +130,9 @@ void BoxStress::measure() {
   }
 }
 
-void BoxStress::contract(std::size_t component, std::size_t d, std::span<const double> weights,
+void BoxSeries::contract(std::size_t component, std::size_t d, std::span<const double> weights,
                          std::span<double> sums) const {
-  const std::span<const double> c = coefficients(component);
+  const std::span<const double> c = coefficients_[component];
   const auto n_Y = static_cast<std::size_t>(modes(1)), stride = d == 0 ? n_Y : 1, across = d == 0 ? 1 : n_Y;
   std::fill(sums.begin(), sums.end(), 0.0);
   for (std::size_t k = 0; k < weights.size(); ++k) {
@@ -136,7 +140,7 @@ void BoxStress::contract(std::size_t component, std::size_t d, std::span<const d
   }
 }
 
-BoxStress::Local BoxStress::at(double X, double Y) const {
+BoxSeries::Local BoxSeries::at(double X, double Y) const {
   const std::array place_X{Interval{X, X}}, place_Y{Interval{Y, Y}};
   const CosineRows in_X(modes(0), place_X), in_Y(modes(1), place_Y);
   std::vector<double> value(in_X.mean(0).size()), slope(value.size());  // along Y, of each mode in X

@@ -19,45 +19,54 @@
 
 namespace assay {
 
-struct BoxStressOptions {
-  double tolerance = 1e-6;  ///< of P, relative to the largest
-  double end = 1;           ///< last time that is asked for [s]
-  std::array<double, 3> direction{1, 0, 0};
-  int most_modes = 64;  ///< in each direction
+struct BoxOptions {
+  double tolerance = 1e-6;                      ///< of P, relative to the largest
+  double end = 1;                               ///< last time that is asked for [s]
+  std::array<double, 3> direction = {1, 0, 0};  ///< of the material, along the axes
+  int most_modes = 64;                          ///< in each direction
 };
 
-class BoxStress {
+/// The coefficients at one time.
+class BoxSeries {
  public:
-  /// 11, 22, 33: the axes stay principal ones.
+  /// P11, P22, P33: the axes stay principal ones.
   static constexpr std::size_t components = 3;
 
-  /// Takes as many modes as the tolerance needs, or most_modes. Throws MaterialFailure.
-  BoxStress(std::shared_ptr<const Material> material, const AxisAligned& motion, const BoxStressOptions& options);
-
-  const AxisAligned& motion() const { return motion_; }
-
-  /// To the time of which the coefficients are. Times must not descend, unless the stress is a function of F. Throws
-  /// MaterialFailure.
-  void set_time(double t);
-
-  int modes(std::size_t d) const { return d == 0 ? modes_ : motion_.one_dimensional ? 1 : modes_; }
-
-  /// c_kl of a component at k * modes(1) + l [Pa].
-  std::span<const double> coefficients(std::size_t component) const { return coefficients_[component]; }
+  int modes(std::size_t d) const { return modes_[d]; }
 
   /// Adds up a component's coefficients over the modes of axis d, weighed: a number for each mode of the other axis.
   void contract(std::size_t component, std::size_t d, std::span<const double> weights, std::span<double> sums) const;
 
-  /// P and its slopes along X and Y at a point, of the time that is set [Pa], [Pa/m].
+  /// P and its slopes along X and Y at a point [Pa], [Pa/m].
   struct Local {
     std::array<double, components> piola{}, along_X{}, along_Y{};
   };
   Local at(double X, double Y) const;
 
+ private:
+  friend class BoxStress;
+  std::array<int, 2> modes_{};
+  std::array<std::vector<double>, components> coefficients_;  ///< [k * modes(1) + l] of c_kl [Pa]
+};
+
+/// Takes the series along in time.
+class BoxStress {
+ public:
+  /// Takes as many modes as the tolerance needs, or most_modes. Throws MaterialFailure.
+  BoxStress(std::shared_ptr<const Material> material, const AxisAligned& motion, const BoxOptions& options);
+
+  /// To the time of which the series is. Times must not descend, unless the stress is a function of F. Throws
+  /// MaterialFailure.
+  void set_time(double t);
+  const BoxSeries& series() const { return series_; }
+
   /// What the last modes still hold, over the largest value: the largest since the first time.
   double error() const { return scale_ > 0 ? last_modes_ / scale_ : 0; }
   bool is_history() const { return !histories_.empty(); }
   std::int64_t material_calls() const;
+
+  /// From rest, with the modes that were found.
+  void begin_again();
 
  private:
   void lay_out(int modes, double end);
@@ -67,14 +76,13 @@ class BoxStress {
 
   std::shared_ptr<const Material> material_;
   AxisAligned motion_;
-  BoxStressOptions options_;
-  int modes_ = 0;
+  BoxOptions options_;
+  BoxSeries series_;
   std::vector<std::unique_ptr<Path>> sections_;  ///< of each node in Y
   std::vector<std::unique_ptr<Course>> courses_;
   std::vector<Troop> histories_;  ///< of each course, at the nodes in X, where the stress is no function of F
   std::vector<double> xi_, F0_, F1_, state_, after_, cauchy_;
   std::unique_ptr<chebyshev::GaussTransform> along_X_, along_Y_;
-  std::array<std::vector<double>, components> coefficients_;
   double t_ = -1, last_modes_ = 0, scale_ = 0;
   std::int64_t calls_ = 0;
 };

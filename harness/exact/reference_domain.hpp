@@ -8,11 +8,10 @@
 #include <span>
 #include <vector>
 
+#include "harness/exact/plane.hpp"
 #include "harness/motion/annulus.hpp"
 
 namespace assay {
-
-using Point = std::array<double, 2>;
 
 /// Hash of two exact positions; -0 is 0.
 struct PositionHash {
@@ -82,6 +81,9 @@ struct ReferenceDomains {
   std::vector<Shape> shapes;
   std::vector<Place> places;  ///< of each particle
 };
+
+/// With these half edges around the points [m]; on a lattice neighbours share their edges to the last bit.
+std::vector<Rectangle> rectangles_around(std::span<const double> X, std::span<const double> Y, const Point& half);
 
 /// Whole rectangles, of which the part in the ring bears stress, or (clipped) those parts alone. Rectangles that are
 /// images of each other under quarter turns share a shape.

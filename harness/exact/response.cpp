@@ -26,6 +26,7 @@ std::optional<ClosedForm> ClosedForm::of(std::shared_ptr<const Material> materia
 void ClosedForm::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
   const double g = amplitude_(t), eps = xi * g;
   double values[9], slopes[9];
+  const std::lock_guard lock(*one_at_a_time_);
   if ((*form_)(baseline_, 1, &eps, values, slopes) == ASSAY_FAILED) {
     throw MaterialFailure(with_reason("its closed form failed", *material_), xi, t);
   }
@@ -38,61 +39,67 @@ void ClosedForm::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
   if (!finite) throw MaterialFailure("its closed form is not finite", xi, t);
 }
 
+namespace {
+
+class SheetAtTime final : public ResponseAtTime {
+ public:
+  SheetAtTime(const Sheet& sheet, double t) : curve_(sheet.slice(t)), has_kinks_(sheet.has_kinks()) {}
+  void at(double xi, Tensor& tau, Tensor& dtau_dxi) const override { curve_.at(xi, tau, dtau_dxi); }
+  void plane_tau(std::span<const double> xi, std::span<double> tau, const InPieces& pieces) const override {
+    pieces(xi.size(), [&](std::size_t begin, std::size_t end) { curve_.plane_tau(xi, tau, begin, end); });
+  }
+  std::vector<double> fronts() const override { return has_kinks_ ? curve_.kinks() : std::vector<double>(); }
+
+ private:
+  Slice curve_;
+  bool has_kinks_;
+};
+
+class FormAtTime final : public ResponseAtTime {
+ public:
+  FormAtTime(const ClosedForm& form, double t) : form_(form), t_(t) {}
+  void at(double xi, Tensor& tau, Tensor& dtau_dxi) const override { form_.at(xi, t_, tau, dtau_dxi); }
+
+ private:
+  ClosedForm form_;
+  double t_;
+};
+
+}  // namespace
+
+void ResponseAtTime::plane_tau(std::span<const double> xi, std::span<double> tau, const InPieces&) const {
+  const std::size_t n = xi.size();
+  Tensor value, slope;
+  for (std::size_t i = 0; i < n; ++i) {
+    at(xi[i], value, slope);
+    for (std::size_t c = 0; c < 4; ++c) tau[c * n + i] = value(static_cast<int>(c / 2), static_cast<int>(c % 2));
+  }
+}
+
 void Response::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
   if (const Sheet* table = sheet()) return table->at(xi, t, tau, dtau_dxi);
-  if (const Shadow* points = marched(t)) return points->at(xi, tau, dtau_dxi);
-  std::get<ClosedForm>(source_).at(xi, t, tau, dtau_dxi);
+  at_time(t)->at(xi, tau, dtau_dxi);
 }
 
-void Response::at_time(double t, std::span<const double> xi,
-                       const std::function<void(std::size_t, const Tensor&, const Tensor&)>& visit) const {
-  Tensor tau, dtau;
-  if (sheet()) {
-    const Slice& slice = slice_at(t);
-    for (std::size_t i = 0; i < xi.size(); ++i) {
-      slice.at(xi[i], tau, dtau);
-      visit(i, tau, dtau);
-    }
-    return;
+std::shared_ptr<const ResponseAtTime> Response::at_time(double t) const {
+  const std::lock_guard lock(last_->mutex);
+  if (last_->tau && last_->t == t) return last_->tau;
+  if (const Sheet* table = sheet()) {
+    last_->tau = std::make_shared<const SheetAtTime>(*table, t);
+  } else if (const auto* form = std::get_if<ClosedForm>(&source_)) {
+    last_->tau = std::make_shared<const FormAtTime>(*form, t);
+  } else {
+    Shadow& points = *std::get<std::shared_ptr<Shadow>>(source_);
+    points.advance(t);
+    last_->tau = points.curve();
   }
-  const Shadow* points = marched(t);
-  for (std::size_t i = 0; i < xi.size(); ++i) {
-    if (points)
-      points->at(xi[i], tau, dtau);
-    else
-      std::get<ClosedForm>(source_).at(xi[i], t, tau, dtau);
-    visit(i, tau, dtau);
-  }
+  last_->t = t;
+  return last_->tau;
 }
 
-const Slice& Response::slice_at(double t) const {
-  if (!slice_ || slice_->first != t) slice_.emplace(t, sheet()->slice(t));
-  return slice_->second;
-}
-
-Shadow* Response::marched(double t) const {
+const Shadow* Response::shadow() const {
   const auto* points = std::get_if<std::shared_ptr<Shadow>>(&source_);
-  if (!points) return nullptr;
-  (*points)->advance(t);
-  return points->get();
-}
-
-void Response::plane_tau_at_time(double t, std::span<const double> xi, std::span<double> tau,
-                                 const InPieces& pieces) const {
-  if (sheet()) {
-    const Slice& slice = slice_at(t);
-    return pieces(xi.size(), [&](std::size_t begin, std::size_t end) { slice.plane_tau(xi, tau, begin, end); });
-  }
-  const std::size_t n = xi.size();
-  at_time(t, xi, [&](std::size_t i, const Tensor& value, const Tensor&) {
-    tau[i] = value(0, 0), tau[n + i] = value(0, 1), tau[2 * n + i] = value(1, 0), tau[3 * n + i] = value(1, 1);
-  });
-}
-
-std::vector<double> Response::fronts(double t) const {
-  if (const Shadow* points = marched(t)) return points->fronts();
-  const Sheet* table = sheet();
-  return table && table->has_kinks() ? slice_at(t).kinks() : std::vector<double>();
+  return points ? points->get() : nullptr;
 }
 
 }  // namespace assay

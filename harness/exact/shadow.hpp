@@ -2,11 +2,11 @@
 // Shadow points: histories that are integrated alongside a run, at its own time levels.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "harness/exact/response_at_time.hpp"
 #include "harness/history/troop.hpp"
 
 namespace assay {
@@ -18,23 +18,44 @@ struct ShadowOptions {
   Workers workers = {};
 };
 
-/// tau(xi) of one time after another, by cubics through neighbouring histories that took the same branches; over a
-/// front between two histories by a straight line. Needs no table: any number of cycles, any kinks, at the price of an
+/// tau(xi) of one time, by cubics through neighbouring histories that took the same branches; over a front between two
+/// histories by a straight line.
+class ShadowCurve final : public ResponseAtTime {
+ public:
+  /// way: of each history, alike where the branches are.
+  ShadowCurve(std::span<const double> xi, std::vector<Tensor> tau, std::vector<int> way)
+      : xi_(xi), tau_(std::move(tau)), way_(std::move(way)) {}
+
+  void at(double xi, Tensor& tau, Tensor& dtau_dxi) const override { interpolate(0, 1, xi, tau, dtau_dxi); }
+
+  /// Middles of the intervals between histories that took different branches, ascending.
+  std::vector<double> fronts() const override;
+
+  /// tau of a history, and what those beside it make of it.
+  const Tensor& at_node(std::size_t i) const { return tau_[i]; }
+  Tensor between_neighbours(std::size_t i) const;
+
+ private:
+  void interpolate(std::size_t first, std::size_t stride, double xi, Tensor& tau, Tensor& slope) const;
+
+  std::span<const double> xi_;
+  std::vector<Tensor> tau_;
+  std::vector<int> way_;
+};
+
+/// Histories evenly over the path's xi. They need no table: any number of cycles, any kinks, at the price of an
 /// interpolation error of the order of the distance between histories where there are fronts.
 class Shadow {
  public:
   /// Keeps material and path.
   Shadow(std::shared_ptr<const Material> material, const Path& path, const ShadowOptions& options);
 
-  /// To the time t, not before the one of the last call. Throws MaterialFailure.
+  /// To the time t; to one before the last call from rest. Throws MaterialFailure.
   void advance(double t);
   double t() const { return t_; }
 
-  /// tau and (d tau / d xi)_t at the present time [Pa].
-  void at(double xi, Tensor& tau, Tensor& dtau_dxi) const;
-
-  /// Middles of the intervals between histories that took different branches, ascending.
-  std::vector<double> fronts() const;
+  /// At the present time; lives no longer than the histories.
+  std::shared_ptr<const ShadowCurve> curve() const { return curve_; }
 
   int radii() const { return static_cast<int>(xi_.size()); }
   /// Largest difference of tau between every second history and what the others make of it, so far, over the largest
@@ -43,20 +64,21 @@ class Shadow {
   std::int64_t calls() const;
 
  private:
-  const std::vector<Branch>& branches(std::size_t i) const;
-  bool alike(std::size_t i, std::size_t j) const;
-  void interpolate(std::size_t first, std::size_t stride, double xi, Tensor& tau, Tensor& slope) const;
+  void begin();
+  std::vector<int> ways() const;
   void measure_error();
 
   std::shared_ptr<const Material> material_;
   Path path_;
+  ShadowOptions options_;
   std::unique_ptr<Course> course_;
   Workers workers_;
   double t_ = 0;
   std::vector<double> xi_;
   std::vector<Troop> troops_;  ///< history i is number i / n of troop i % n
-  std::vector<Tensor> tau_;
+  std::shared_ptr<const ShadowCurve> curve_;
   double difference_ = 0, scale_ = 0;
+  std::int64_t earlier_calls_ = 0;
 };
 
 }  // namespace assay

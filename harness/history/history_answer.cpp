@@ -6,7 +6,7 @@
 #include "harness/history/history_fields.hpp"
 #include "harness/history/history_task.hpp"
 #include "harness/history/troop.hpp"
-#include "harness/motion/path_recipe.hpp"
+#include "harness/motion/registry.hpp"
 
 namespace assay {
 

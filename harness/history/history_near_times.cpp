@@ -11,7 +11,6 @@ namespace assay {
 /// Into how many increments a step can be divided that are all long enough to tell, at most as many as an
 /// extrapolation takes: where the path stops or starts, the last or the first is the shortest.
 int History::Increments::telling_count(double t, double step) const {
-  const auto F = [&](double at) { return h_->course_->path->deformation_gradient(h_->xi_, at); };
   const Tensor begin = F(t), end = F(t + step);
   for (int count = Extrapolation::most_columns; count > 1; --count) {
     if (tells(F(t + step / count) - begin) && tells(end - F(t + step - step / count))) return count;
@@ -25,9 +24,8 @@ bool History::Increments::far(double t, double step) const {
 
 /// Of a single increment, relative: of second order in its elastic stress over the scale.
 double History::Increments::error_at_once(double t, double step) const {
-  const Path& path = *h_->course_->path;
   const ShortestTelling& shortest = h_->course_->shortest;
-  const double change = (path.deformation_gradient(h_->xi_, t + step) - path.deformation_gradient(h_->xi_, t)).norm();
+  const double change = (F(t + step) - F(t)).norm();
   return std::pow(change / shortest.norm * shortest.stress / scales_[0], 2);
 }
 
@@ -45,16 +43,17 @@ bool History::Increments::reach_near_time(double to) {
   if (columns == Extrapolation::most_columns) return false;
   extrapolation_.clear();
   double error = error_at_once(from.t, step_);
-  std::vector<double> y;
+  Variables y;
   try {
-    if (options_.watch && from.t == piece_begin_) begin_regime(step_);
+    if (options_.watch && from.t == piece_.begin) begin_regime(step_);
     std::uint64_t told = 0;
     for (int count = 1; count <= columns; ++count) {
-      if (!substeps(step_, count)) return false;
-      if (count > 1 && last_told_ != told) break;  // `to` lies at the edge: a single increment is as good
-      told = last_told_;
-      extrapolation_.add(next_, scales_);
-      y = count == 1 ? next_ : extrapolation_.best();
+      const Steps end = substeps(step_, count);
+      if (!end.in_one_regime) return false;
+      if (count > 1 && regime_.last_told != told) break;  // `to` lies at the edge: a single increment is as good
+      told = regime_.last_told;
+      extrapolation_.add(end.y, scales_);
+      y = extrapolation_.best();
       if (count > 1) error = extrapolation_.error();
     }
   } catch (const MaterialFailure& failure) {

@@ -36,7 +36,7 @@ struct Path {
   /// Components along the baseline frame E1, E2, E3 of the direction that a material with one has at rest [1].
   std::array<double, 3> material_direction{1, 0, 0};
 
-  /// Numbers of which another process makes this path, but for `parameter` and `material_direction`: path_recipe.hpp.
+  /// Numbers of which another process makes this path, but for `parameter` and `material_direction`: registry.hpp.
   /// Empty of a path that no motion has made.
   std::vector<double> recipe;
 

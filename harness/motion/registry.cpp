@@ -29,4 +29,12 @@ const MotionRegistry& motion_registry() {
   return all;
 }
 
+Path path_of_recipe(std::span<const double> recipe) {
+  NumberReader reader(recipe);
+  std::string name;
+  reader(name);
+  if (const auto maker = motion_registry().path_maker(name)) return maker(reader);
+  throw std::runtime_error("no recipe of a path");
+}
+
 }  // namespace assay

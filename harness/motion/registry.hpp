@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,19 @@
 #include "harness/numeric/number_archive.hpp"
 
 namespace assay {
+
+/// A path as numbers, for another process to make the same: what a motion keeps in its path's `recipe`. name: under
+/// which its file registers who makes the path again.
+template <class Parts>
+std::vector<double> recipe(std::string name, Parts parts) {
+  NumberWriter writer;
+  writer(name, parts);
+  return std::move(writer.numbers);
+}
+
+/// The path of a recipe as its motion makes it: range and material direction may have been changed since. Throws
+/// std::runtime_error where it is no recipe.
+Path path_of_recipe(std::span<const double> recipe);
 
 class MotionRegistry {
  public:

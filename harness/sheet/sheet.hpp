@@ -1,5 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sheet tau(xi, t) of a material on a family of baseline histories, and (d tau / d xi) at fixed t.
+// The sheet tau(xi, t) of a material on a family of baseline histories, and (d tau / d xi) at fixed t. It is cut where
+// it is not smooth, and is a Chebyshev series in between:
+//
+//   xi ^
+//      |              .-'      :               band     a range of xi whose histories take the same branches in the
+//      |  elastic  .-' plastic : elastic                same order; ---- parts two
+//      |         .'            :               break    where a history turns back, at : , or changes its regime, at
+//      |--------(--------------:----------              .-' ; the time of a change moves with xi
+//      |  elastic              :               stretch  of a band between two breaks: one series, in s(xi) and in the
+//      +-------------------------------> t              share of the time between them
+//
+// At ( , where a change begins to exist, its time goes as the square root of the distance in xi. The band's s is made
+// so that all is smooth in it (BandMap). For the points of one time the sheet is cut into a Slice.
 #pragma once
 
 #include <cstdint>

@@ -1,29 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/data/blocks.hpp"
+// b as the mean over each particle's reference domain.
 #include "mpm/effects/body_force.hpp"
 
 namespace assay::mpm {
 
 namespace {
 
-Kernel averaged_kernel(State<2>& s) {
-  if (is_box(*s.setup.motion)) return box_kernel(s, Evaluation::domain_average);
-  auto field = std::make_shared<DomainAverage>(*s.setup.motion, s.setup.density, domains_of_setup(s.setup));
-  const InPieces pieces = [threads = s.setup.threads](std::size_t n, const auto& body) {
-    for_blocks(n, threads, body);
-  };
-  return [&s, field, pieces](const Instant& now) {
-    field->evaluate(*s.setup.response, now.t, std::span(s.column(Column::body_force, 0), s.particles),
-                    std::span(s.column(Column::body_force, 1), s.particles), pieces);
-  };
-}
-
 /// In place of the one at points.
 std::vector<Pass<2>> averaging_passes(const Setup<2>&) {
   Pass<2> pass = unbound_body_force();
   pass.doc = "b of the exact motion, averaged over the particles' reference domains";
   pass.called_for_by = "force.evaluation";
-  pass.bind = averaged_kernel;
+  pass.bind = [](State<2>& s) { return body_force_kernel(s, Evaluation::domain_average); };
   return {pass};
 }
 

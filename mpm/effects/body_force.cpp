@@ -2,30 +2,30 @@
 // b of the exact motion at the particles' reference positions, at the time at which the step begins.
 #include "mpm/effects/body_force.hpp"
 
-#include "harness/exact/box_force.hpp"
-#include "harness/exact/inertia.hpp"
+#include "mpm/data/blocks.hpp"
 #include "mpm/kernels/column_access.hpp"
-#include "mpm/seeding/lattice.hpp"
 
 namespace assay::mpm {
 
-ReferenceDomains domains_of_setup(const Setup<2>& setup) {
-  return setup.seeds.domains ? *setup.seeds.domains : rectangles_of(setup.seeds, *ring_of(*setup.motion));
+std::shared_ptr<ExactInstant> fields_of_particles(const State<2>& s, const Asked& asked, Evaluation evaluation) {
+  ExactPoints points{std::span(s.column(Column::reference_position, 0), s.particles),
+                     std::span(s.column(Column::reference_position, 1), s.particles)};
+  if (evaluation == Evaluation::domain_average) {
+    points.half = s.setup.seeds.half_size;
+    points.domains = s.setup.seeds.domains;
+  }
+  return s.setup.exact->instant(points, asked);
 }
 
-Kernel box_kernel(State<2>& s, Evaluation evaluation) {
-  const Point half = evaluation == Evaluation::point ? Point{} : s.setup.seeds.half_size;
-  std::vector<Rectangle> places;
-  for (std::size_t p = 0; p < s.particles; ++p) {
-    const Point X{s.column(Column::reference_position, 0)[p], s.column(Column::reference_position, 1)[p]};
-    places.push_back({{X[0] - half[0], X[1] - half[1]}, {X[0] + half[0], X[1] + half[1]}});
-  }
-  const auto stress = *s.setup.exact->box();
-  auto force = std::make_shared<BoxForce>(*stress, s.setup.density, places);
-  return [&s, stress, force](const Instant& now) {
-    stress->set_time(now.t);
-    force->evaluate(*stress, now.t, std::span(s.column(Column::body_force, 0), s.particles),
-                    std::span(s.column(Column::body_force, 1), s.particles));
+Kernel body_force_kernel(State<2>& s, Evaluation evaluation) {
+  const auto fields = fields_of_particles(s, {.force = true}, evaluation);
+  const InPieces pieces = [threads = s.setup.threads](std::size_t n, const auto& body) {
+    for_blocks(n, threads, body);
+  };
+  return [&s, fields, pieces](const Instant& now) {
+    fields->set_time(now.t);
+    fields->body_force(std::span(s.column(Column::body_force, 0), s.particles),
+                       std::span(s.column(Column::body_force, 1), s.particles), pieces);
   };
 }
 
@@ -42,32 +42,18 @@ namespace {
 
 /// b = a: where F is the same everywhere, and where the virtual stress leaves no more of b.
 Kernel acceleration_kernel(State<2>& s) {
-  const std::span X(s.column(Column::reference_position, 0), s.particles),
-      Y(s.column(Column::reference_position, 1), s.particles);
-  auto field = std::make_shared<InertiaField>(*s.setup.motion, 0, X, Y);
+  const auto fields = fields_of_particles(s, {.inertia = true});
   Kernel kernel;
-  kernel.begin = [field](const Instant& now) { field->set_time(now.t); };
-  kernel.block = [&s, field](const Instant&, const Block& block) {
+  kernel.begin = [fields](const Instant& now) { fields->set_time(now.t); };
+  kernel.block = [&s, fields](const Instant&, const Block& block) {
     const auto b = components<2>(s, Column::body_force);
     for (std::size_t p = block.begin; p < block.end; ++p) {
-      const auto a = field->at(p).a;
+      const auto a = fields->inertia(p).a;
       for (std::size_t d = 0; d < 2; ++d) b[d][p] = a[d];
     }
     return none_bad;
   };
   return kernel;
-}
-
-Kernel point_kernel(State<2>& s) {
-  if (is_box(*s.setup.motion)) return box_kernel(s, Evaluation::point);
-  const std::size_t n = s.particles;
-  auto field = std::make_shared<BodyForceField>(*s.setup.motion, s.setup.density,
-                                                std::span(s.column(Column::reference_position, 0), n),
-                                                std::span(s.column(Column::reference_position, 1), n));
-  return [&s, field, n](const Instant& now) {
-    field->evaluate(*s.setup.response, now.t, std::span(s.column(Column::body_force, 0), n),
-                    std::span(s.column(Column::body_force, 1), n));
-  };
 }
 
 std::vector<Pass<2>> body_force_passes(const Setup<2>& setup) {
@@ -77,7 +63,9 @@ std::vector<Pass<2>> body_force_passes(const Setup<2>& setup) {
                              : "b of the exact motion at the particles' reference positions";
   pass.called_for_by = "force.response";
   pass.reads = {Column::reference_position};
-  pass.bind = is_acceleration ? acceleration_kernel : point_kernel;
+  pass.bind = [is_acceleration](State<2>& s) {
+    return is_acceleration ? acceleration_kernel(s) : body_force_kernel(s, Evaluation::point);
+  };
   return {pass};
 }
 

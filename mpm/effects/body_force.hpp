@@ -3,7 +3,6 @@
 // of transfer and stress.
 #pragma once
 
-#include "harness/exact/domain_average.hpp"
 #include "mpm/step/effect.hpp"
 
 namespace assay::mpm {
@@ -11,10 +10,11 @@ namespace assay::mpm {
 /// The pass without its kernel: it writes b.
 Pass<2> unbound_body_force();
 
-/// Over which b is averaged.
-ReferenceDomains domains_of_setup(const Setup<2>& setup);
+/// The exact fields at the particles' reference positions, or on the means over their domains.
+std::shared_ptr<ExactInstant> fields_of_particles(const State<2>& s, const Asked& asked,
+                                                  Evaluation evaluation = Evaluation::point);
 
-/// Of the axis-aligned motion: its series, at points or on the mean over the domains.
-Kernel box_kernel(State<2>& s, Evaluation evaluation);
+/// b of the exact motion.
+Kernel body_force_kernel(State<2>& s, Evaluation evaluation);
 
 }  // namespace assay::mpm

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/effects/tractions.hpp"
 
-#include "harness/exact/exact_field.hpp"
 #include "mpm/basis/corners.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/kernels/column_access.hpp"
@@ -31,7 +30,7 @@ Vec<2> current_normal(const State<2>& s, const SurfaceEdge& edge) {
 }
 
 /// Force on an edge, of whose middle the field speaks at `k` [N].
-Vec<2> force_on(const State<2>& s, const SurfaceEdge& edge, const ExactField& field, std::size_t k) {
+Vec<2> force_on(const State<2>& s, const SurfaceEdge& edge, const ExactInstant& field, std::size_t k) {
   const Traction& traction = *s.setup.traction;
   const bool undeformed = traction.algorithm == TractionAlgorithm::undeformed_edges;
   if (traction.form == TractionForm::reference && !undeformed) {
@@ -42,7 +41,7 @@ Vec<2> force_on(const State<2>& s, const SurfaceEdge& edge, const ExactField& fi
     const double share = std::hypot(edge.N_dA[0], edge.N_dA[1]) / std::hypot(n[0], n[1]);
     for (double& component : n) component *= share;
   }
-  const auto sigma = field.at(k).sigma;
+  const auto sigma = field.state(k).sigma;
   return times(Mat<2>{sigma[0], sigma[1], sigma[2], sigma[3]}, n);
 }
 
@@ -78,7 +77,7 @@ void book(State<2>& s, const SurfacePoint& point, double kick) {
 }
 
 /// Forces of the edges, shared out to the points of the surface.
-void load_points(State<2>& s, SurfaceLoads& loads, const ExactField& field) {
+void load_points(State<2>& s, SurfaceLoads& loads, const ExactInstant& field) {
   std::size_t k = 0;
   const std::vector<SurfaceEdge>& surface = s.setup.seeds.surface;
   for (std::size_t e = 0; e < surface.size(); ++e) {
@@ -92,10 +91,10 @@ void load_points(State<2>& s, SurfaceLoads& loads, const ExactField& field) {
 }
 
 /// At the middles of the edges.
-std::shared_ptr<ExactField> field_of(const State<2>& s) {
+std::shared_ptr<ExactInstant> field_of(const State<2>& s) {
   std::vector<double> X, Y;
   for (const SurfaceEdge& edge : s.setup.seeds.surface) X.push_back(edge.middle[0]), Y.push_back(edge.middle[1]);
-  return std::make_shared<ExactField>(s.setup.exact, Frame{}, X, Y);
+  return s.setup.exact->instant({X, Y}, {.stress = true});
 }
 
 void find_loads(State<2>& s) {
@@ -133,8 +132,7 @@ Pass<2> traction_pass(const Method& method, const Traction& traction, bool accou
       for (std::size_t k = 0; k < loads.points.size(); ++k) live.mark(loads.reach(k));
     });
     return [&s, &loads, accounts, field = field_of(s)](const Instant& now) {
-      const double t = time_of_forces(s.method, now);
-      field->set_time(t, t);
+      field->set_time(time_of_forces(s.method, now));
       load_points(s, loads, *field);
       for (std::size_t k = 0; k < loads.points.size(); ++k) {
         SurfacePoint& point = loads.points[k];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/effects/inertia_to_particles.hpp"
 
-#include "harness/exact/inertia.hpp"
 #include "mpm/data/blocks.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/kernels/column_access.hpp"
@@ -18,10 +17,10 @@ Mat<2> gradient_of(const State<2>& s, std::size_t p, const Mat<2>& by_reference)
   return product<2>(by_reference, inverse<2>(F));
 }
 
-void give(State<2>& s, const InertiaField& field, double kick, std::size_t begin, std::size_t end) {
+void give(State<2>& s, const ExactInstant& field, double kick, std::size_t begin, std::size_t end) {
   const auto v = components<2>(s, Column::velocity), b = components<2>(s, Column::body_force);
   for (std::size_t p = begin; p < end; ++p) {
-    const InertiaField::Inertia inertia = field.at(p);
+    const PlaneInertia inertia = field.inertia(p);
     for (std::size_t d = 0; d < 2; ++d) {
       v[d][p] += kick * inertia.a[d];
       b[d][p] -= inertia.a[d];
@@ -34,11 +33,11 @@ void give(State<2>& s, const InertiaField& field, double kick, std::size_t begin
 }
 
 /// What the particles were given, from the velocities after it.
-void account(State<2>& s, const InertiaField& field, double kick) {
+void account(State<2>& s, const ExactInstant& field, double kick) {
   const auto v = components<2>(s, Column::velocity), x = components<2>(s, Column::position);
   for (std::size_t p = 0; p < s.particles; ++p) {
     const double m = kick * s.column(Column::mass)[p];
-    const auto a = field.at(p).a;
+    const auto a = field.inertia(p).a;
     for (std::size_t d = 0; d < 2; ++d) {
       s.ledger.impulse[d] += m * a[d];
       s.ledger.external_work += m * a[d] * (v[d][p] - 0.5 * kick * a[d]);
@@ -48,10 +47,10 @@ void account(State<2>& s, const InertiaField& field, double kick) {
 }
 
 Kernel inertia_kernel(State<2>& s, bool accounts) {
-  const double spin = s.setup.frame ? s.setup.frame->spin : 0;
-  const std::span X(s.column(Column::reference_position, 0), s.particles),
-      Y(s.column(Column::reference_position, 1), s.particles);
-  auto field = std::make_shared<InertiaField>(*s.setup.motion, spin, X, Y);
+  const ExactPoints points{std::span(s.column(Column::reference_position, 0), s.particles),
+                           std::span(s.column(Column::reference_position, 1), s.particles)};
+  const ExactSolutionPtr seen = s.setup.frame ? seen_from(*s.setup.frame, s.setup.exact) : s.setup.exact;
+  const std::shared_ptr<ExactInstant> field = seen->instant(points, {.inertia = true});
   return [&s, field, accounts](const Instant& now) {
     field->set_time(now.t);
     for_blocks(s.particles, s.setup.threads,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/exact/frame_force.hpp"
+// The body force as a spinning frame sees it.
 #include "mpm/effects/body_force.hpp"
 
 namespace assay::mpm {
@@ -17,15 +17,12 @@ std::vector<Pass<2>> moving_frame_passes(const Setup<2>& setup) {
   pass.reads = {Column::reference_position, Column::body_force};
   pass.writes = {Column::body_force};
   pass.bind = [evaluation = setup.evaluation](State<2>& s) -> Kernel {
-    const double spin = s.setup.frame->spin;
-    const std::span X(s.column(Column::reference_position, 0), s.particles),
-        Y(s.column(Column::reference_position, 1), s.particles);
-    auto force = evaluation == Evaluation::point
-                     ? std::make_shared<FrameForce>(*s.setup.motion, spin, X, Y)
-                     : std::make_shared<FrameForce>(*s.setup.motion, spin, X, Y, domains_of_setup(s.setup));
-    return [&s, force](const Instant& now) {
-      force->apply(now.t, std::span(s.column(Column::body_force, 0), s.particles),
-                   std::span(s.column(Column::body_force, 1), s.particles));
+    const Frame spinning{0, s.setup.frame->spin};  // the angle is in the positions
+    const auto own = fields_of_particles(s, {.motion = true}, evaluation);
+    return [&s, spinning, own](const Instant& now) {
+      own->set_time(now.t);
+      see_body_force(spinning, *own, now.t, std::span(s.column(Column::body_force, 0), s.particles),
+                     std::span(s.column(Column::body_force, 1), s.particles));
     };
   };
   return {pass};

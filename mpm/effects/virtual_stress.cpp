@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/exact/exact_field.hpp"
+#include "mpm/effects/body_force.hpp"
 #include "mpm/effects/inertia_to_particles.hpp"
 #include "mpm/effects/tractions.hpp"
 #include "mpm/kernels/affine.hpp"
@@ -18,18 +18,13 @@ Pass<2> virtual_stress_pass(TractionForm form) {
   pass.writes = {Column::excess_stress};
   pass.bind = [form](State<2>& s) -> Kernel {
     s.stress_of_forces = Column::excess_stress;
-    const std::span X(s.column(Column::reference_position, 0), s.particles),
-        Y(s.column(Column::reference_position, 1), s.particles);
-    auto field = std::make_shared<ExactField>(s.setup.exact, Frame{}, X, Y);
+    const auto field = fields_of_particles(s, {.stress = true});
     Kernel kernel;
-    kernel.begin = [&s, field](const Instant& now) {
-      const double t = time_of_forces(s.method, now);
-      field->set_time(t, t);
-    };
+    kernel.begin = [&s, field](const Instant& now) { field->set_time(time_of_forces(s.method, now)); };
     kernel.block = [&s, field, form](const Instant&, const Block& block) {
       const auto sigma = components<5>(s, Column::stress), excess = components<5>(s, Column::excess_stress);
       for (std::size_t p = block.begin; p < block.end; ++p) {
-        const PlaneState exact = field->at(p);
+        const PlaneState exact = field->state(p);
         Mat<2> taken{exact.sigma[0], exact.sigma[1], exact.sigma[2], exact.sigma[3]};
         if (form == TractionForm::reference) {  // P F^T / J with the particle's own F
           const Mat<2> F = deformation_gradient(s, p), own = product<2>(F, inverse<2>(exact.F));

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/exact/exact_solution.hpp"
 #include "harness/motion/kinds/homogeneous.hpp"
 #include "harness/numeric/largest.hpp"
 #include "mpm/patch/patch.hpp"
@@ -45,14 +44,11 @@ void unstretch(Seeds<2>& seeds, Vec<2>& half, const Mat<2>& F) {
   }
 }
 
-std::shared_ptr<const ExactSolution> solution_of(const Bench& bench, const Mat<2>& F) {
+ExactSolutionPtr solution_of(const Bench& bench, const Mat<2>& F) {
   Homogeneous motion;
   motion.final.topLeftCorner<2, 2>() << F[0], F[1], F[2], F[3];
   constexpr double tolerance = 1e-12;  // of a history, which an elastic material has none of
-  return std::make_shared<const ExactSolution>(
-      motion, bench.density,
-      std::make_shared<HomogeneousStress>(bench.material, motion.baseline(), motion.own_parameter(), motion.period,
-                                          tolerance));
+  return exact_uniform(motion, bench.density, bench.material, motion.baseline(), motion.period, tolerance);
 }
 
 Setup<2> loaded_setup(const Method& method, const Bench& bench, const Loading& loading) {
@@ -98,7 +94,7 @@ double imbalance(const Method& method, const Bench& bench, const Loading& loadin
   const double t = period_of(setup.exact->motion());
   constexpr double no_time = 1e-30;  // t and that are t: the tractions are those of F in every update
   if (simulation.step(t, no_time)) return INFINITY;
-  const ExactStress stress = setup.exact->stress(Vector3::Zero(), t);
+  const ExactStress stress = setup.exact->at(Vector3::Zero(), t).stress;
   const Tensor& scale = method.is_total() ? stress.first_piola_kirchhoff : stress.cauchy;
   double largest = 0;
   for (std::size_t i = 0; i < s.force.nodes(); ++i) {

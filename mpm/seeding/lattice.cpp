@@ -162,16 +162,7 @@ Seeds<2> polar_lattice(const Annulus& ring, double spacing, const std::array<int
 }
 
 ReferenceDomains rectangles_of(const Seeds<2>& seeds, const Annulus& ring) {
-  std::vector<Rectangle> rectangles(seeds.size());
-  for (std::size_t p = 0; p < seeds.size(); ++p) {
-    for (std::size_t d = 0; d < 2; ++d) {
-      const double half = seeds.half_size[d], X = seeds.X[d][p], odd = std::round(X / half);
-      const bool on_lattice = std::abs(X - odd * half) <= 1e-12 * std::abs(X);
-      rectangles[p].lower[d] = on_lattice ? (odd - 1) * half : X - half;
-      rectangles[p].upper[d] = on_lattice ? (odd + 1) * half : X + half;
-    }
-  }
-  return domains_of(rectangles, ring, false);
+  return domains_of(rectangles_around(seeds.X[0], seeds.X[1], seeds.half_size), ring, false);
 }
 
 void turn(Seeds<2>& seeds, double angle, bool half_edges) {

@@ -8,12 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "harness/exact/body_force.hpp"
-#include "harness/exact/exact_solution.hpp"
-#include "harness/exact/reference_domain.hpp"
+#include "harness/exact/exact_fields.hpp"
 #include "harness/material/material.hpp"
-#include "harness/motion/frame.hpp"
-#include "harness/motion/motion.hpp"
 #include "mpm/data/instructions.hpp"
 #include "mpm/grid/grid_geometry.hpp"
 #include "mpm/grid/images.hpp"
@@ -72,9 +68,8 @@ struct Setup {
   bool body_force = false;  ///< b of the exact motion acts
   Evaluation evaluation = Evaluation::point;
   Inertia inertia = Inertia::grid;
-  std::shared_ptr<const Response> response;             ///< what b is made of; needed to run, not to compose
   std::optional<Traction> traction;                     ///< on the surface of the seeds
-  std::shared_ptr<const ExactSolution> exact;           ///< what tractions are made of; needed to run, not to compose
+  ExactSolutionPtr exact;                               ///< what b and tractions are made of; to run, not to compose
   std::optional<Motion> motion;                         ///< gives the initial velocity; null: at rest
   std::optional<AffineVelocity<Dim>> initial_velocity;  ///< in place of the motion's
   std::optional<Frame> frame;                           ///< from which the motion is seen; null: the body's own

@@ -77,7 +77,6 @@ double largest_error(const MotionCase& which, double h, const Plant& plant = {},
   const auto exact = exact_solution_of(problem.scene, generator ? generator : problem.material, problem.scene.time.end);
   const auto truth = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
   problem.setup.exact = exact;
-  if (exact->response()) problem.setup.response = *exact->response();
   std::vector<mpm::Pass<2>> passes = mpm::compose(problem.setup);
   if (plant) plant(problem, passes);
   mpm::Simulation<2> simulation(problem.setup, passes);

@@ -50,7 +50,8 @@ inline Setup<2> vortex_setup(int across, const Method& way = {}, std::array<int,
   setup.material = elastic_material();
   setup.motion = motion;
   setup.body_force = true;
-  setup.response = std::make_shared<const Response>(*ClosedForm::of(setup.material, motion.baseline()));
+  setup.exact = exact_polar(motion, setup.density,
+                            std::make_shared<const Response>(*ClosedForm::of(setup.material, motion.baseline())));
   return setup;
 }
 

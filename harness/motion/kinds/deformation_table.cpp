@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 
-#include "harness/motion/path_recipe.hpp"
 #include "harness/motion/registry.hpp"
 #include "harness/numeric/number_text.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "harness/motion/path_recipe.hpp"
 #include "harness/motion/registry.hpp"
 #include "harness/numeric/number_text.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 
-#include "harness/motion/path_recipe.hpp"
 #include "harness/motion/registry.hpp"
 #include "harness/numeric/stable_norm.hpp"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/motion/path_recipe.hpp"
 #include "harness/motion/registry.hpp"
 #include "harness/numeric/stable_norm.hpp"
 

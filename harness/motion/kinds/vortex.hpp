@@ -40,6 +40,22 @@ void fields(Archive& archive, Vortex& m) {
   archive(m.inner, m.outer, m.profile_power, m.amplitude);
 }
 
+/// Radii between which xi(R) is monotone, ascending, with ri and ro [m].
+std::vector<double> turning_radii(const Vortex& vortex);
+
+/// The inverse of xi(R) (13), which has several values.
+class RadiiOfXi {
+ public:
+  explicit RadiiOfXi(const Vortex& vortex) : vortex_(vortex), turning_(turning_radii(vortex)) {}
+
+  /// Every radius of the ring at which xi(R) goes through `xi`, ascending [m].
+  std::vector<double> operator()(double xi) const;
+
+ private:
+  Vortex vortex_;
+  std::vector<double> turning_;
+};
+
 std::unique_ptr<MotionKind> kind_of(const Vortex& motion);
 
 /// The keys of a ring that turns, but for those of its amplitude.

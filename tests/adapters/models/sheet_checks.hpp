@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <random>
 
-#include "harness/exact/body_force.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 #include "harness/numeric/central_difference.hpp"
 #include "harness/sheet/sheet.hpp"
 #include "tests/adapters/models/model_cases.hpp"
 #include "tests/adapters/models/property_samples.hpp"
+#include "tests/harness/exact/vortex_force.hpp"
 
 namespace assay::model_tests {
 

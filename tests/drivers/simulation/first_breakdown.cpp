@@ -52,7 +52,6 @@ Breakdown first_breakdown(const std::string& scene, const std::vector<std::strin
   Problem problem = assemble(read_scene(scene, all), 1);
   if (problem.compared) {
     problem.setup.exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
-    if (problem.setup.exact->response()) problem.setup.response = *problem.setup.exact->response();
   }
   mpm::Simulation<2> simulation(problem.setup);
   const mpm::State<2>& s = simulation.state();

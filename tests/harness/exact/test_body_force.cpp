@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/exact/body_force.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +6,12 @@
 #include <functional>
 #include <numbers>
 
+#include "harness/exact/exact_fields.hpp"
+#include "harness/exact/ring_points.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 #include "harness/numeric/central_difference.hpp"
 #include "tests/harness/elastic_material.hpp"
+#include "tests/harness/exact/vortex_force.hpp"
 
 namespace assay::test_body_force {
 namespace {
@@ -218,10 +220,12 @@ TEST(BodyForceField, GivesEveryPointItsOwnForceOncePerRadius) {
   const Case c = cases()[1];
   const Response table = sheet(c);
   const std::vector<double> X{0.8, -0.8, 0.3, 0.3, 0.0, 1.0, 2.0}, Y{0.3, 0.3, -0.8, 0.8, 0.0, 0.1, 1.0};
-  BodyForceField field(c.vortex, c.density, X, Y);
-  EXPECT_EQ(field.points().radius.size(), 4u);
+  EXPECT_EQ(RingPoints(X, Y).radius.size(), 4u);
+  const auto exact = exact_polar(c.vortex, c.density, std::make_shared<const Response>(sheet(c)));
+  const auto field = exact->instant({X, Y}, {.force = true});
   std::vector<double> bx(X.size()), by(X.size());
-  field.evaluate(table, 0.4, bx, by);
+  field->set_time(0.4);
+  field->body_force(bx, by);
   for (std::size_t i = 0; i < X.size(); ++i) {
     const Vector3 point(X[i], Y[i], 0);
     const Vector3 expected = radius(point) > 0 ? ours(c, table)(point, 0.4) : Vector3::Zero();

@@ -7,10 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/exact/axis_aligned_force.hpp"
-#include "harness/exact/box_field.hpp"
-#include "harness/exact/box_force.hpp"
+#include "harness/exact/exact_fields.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
+#include "harness/numeric/cosine_rows.hpp"
 #include "harness/numeric/gauss.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/harness/elastic_material.hpp"
@@ -36,7 +35,7 @@ std::shared_ptr<const Material> zener() {
 }
 
 ExactStress of_point(const BoxStress& stress, const AxisAligned& motion, const Vector3& X, double t) {
-  const BoxStress::Local local = stress.at(X.x(), X.y());
+  const BoxSeries::Local local = stress.series().at(X.x(), X.y());
   ExactStress found;
   for (int d = 0; d < 3; ++d) found.first_piola_kirchhoff(d, d) = local.piola[static_cast<std::size_t>(d)];
   found.body_force = motion.at(X, t).a - Vector3(local.along_X[0], local.along_Y[1], 0) / box_density;
@@ -51,12 +50,17 @@ TEST_P(BoxStressOf, AgreesWithHistoriesOfSinglePoints) {
   const auto material = with_history ? zener() : elastic();
   BoxStress stress(material, motion, {.tolerance = 1e-8, .end = 0.5});
   EXPECT_EQ(stress.is_history(), with_history);
-  EXPECT_EQ(stress.modes(1) == 1, one_dimensional);
+  EXPECT_EQ(stress.series().modes(1) == 1, one_dimensional);
   const std::array times{0.06, 0.21, 0.25, 0.48};
   const std::array points{Vector3(0.13, 0.71, 0), Vector3(0.5, 0.5, 0), Vector3(0.92, 0.05, 0), Vector3(0, 1, 0)};
   std::vector<std::vector<ExactStress>> expected;
   for (const Vector3& X : points) {
-    expected.push_back(axis_aligned_stress(*material, motion, box_density, X, times, {1, 0, 0}));
+    std::vector<PlaceAndTime> places;
+    for (const double t : times) places.push_back({X, t});
+    expected.emplace_back();
+    for (const ExactPoint& point : exact_box(motion, box_density, material, {})->at(places)) {
+      expected.back().push_back(point.stress);
+    }
   }
   for (std::size_t k = 0; k < times.size(); ++k) {
     stress.set_time(times[k]);
@@ -79,11 +83,11 @@ TEST(BoxStress, TakesAsManyModesAsTheToleranceNeedsAndSaysWhatIsLeft) {
   BoxStress rough(elastic(), sample_box(false), {.tolerance = 1e-3, .end = 0.5});
   BoxStress fine(elastic(), sample_box(false), {.tolerance = 1e-11, .end = 0.5});
   BoxStress bounded(elastic(), sample_box(false), {.tolerance = 1e-14, .end = 0.5, .most_modes = 8});
-  EXPECT_LT(rough.modes(0), fine.modes(0));
-  EXPECT_EQ(bounded.modes(0), 8);
+  EXPECT_LT(rough.series().modes(0), fine.series().modes(0));
+  EXPECT_EQ(bounded.series().modes(0), 8);
   bounded.set_time(0.25), fine.set_time(0.25);
   EXPECT_GT(bounded.error(), 1e-14);
-  const double left = std::abs(bounded.at(0.31, 0.77).piola[0] - fine.at(0.31, 0.77).piola[0]);
+  const double left = std::abs(bounded.series().at(0.31, 0.77).piola[0] - fine.series().at(0.31, 0.77).piola[0]);
   EXPECT_LT(left, 10 * bounded.error() * 1e4);
 }
 
@@ -98,33 +102,42 @@ TEST(BoxForce, IsThePointwiseForceAndItsMeanOverRectangles) {
   BoxStress stress(elastic(), motion, {.tolerance = 1e-10, .end = 0.5});
   const double t = 0.17;
   stress.set_time(t);
-  const std::vector<Rectangle> places{{{0.1, 0.3}, {0.35, 0.4}}, {{0.7, 0.7}, {0.7, 0.7}}, {{-0.2, 0.9}, {0.1, 1.2}}};
-  BoxForce force(stress, box_density, places);
-  std::vector<double> b_x(places.size()), b_y(places.size());
-  force.evaluate(stress, t, b_x, b_y);
-  for (std::size_t p = 0; p < places.size(); ++p) {
-    Vector3 mean = Vector3::Zero();
-    for (const GaussPoint& x : gauss_points(12)) {
-      for (const GaussPoint& y : gauss_points(12)) {
-        const Rectangle& r = places[p];
-        const Vector3 X(r.lower[0] + 0.5 * (1 + x.at) * (r.upper[0] - r.lower[0]),
-                        r.lower[1] + 0.5 * (1 + y.at) * (r.upper[1] - r.lower[1]), 0);
-        mean += 0.25 * x.weight * y.weight * of_point(stress, motion, X, t).body_force;
+  const std::vector<double> middle_X{0.225, 0.7, -0.05}, middle_Y{0.35, 0.7, 1.05};
+  const auto exact = exact_box(motion, box_density, elastic(), {.tolerance = 1e-10, .end = 0.5});
+  for (const Point& half : {Point{0.125, 0.05}, Point{0, 0}, Point{0.15, 0.15}}) {
+    const auto force = exact->instant({middle_X, middle_Y, half}, {.force = true});
+    std::vector<double> b_x(3), b_y(3);
+    force->set_time(t);
+    force->body_force(b_x, b_y);
+    for (std::size_t p = 0; p < 3; ++p) {
+      Vector3 mean = Vector3::Zero();
+      for (const GaussPoint& x : gauss_points(12)) {
+        for (const GaussPoint& y : gauss_points(12)) {
+          const Rectangle r{{middle_X[p] - half[0], middle_Y[p] - half[1]},
+                            {middle_X[p] + half[0], middle_Y[p] + half[1]}};
+          const Vector3 X(r.lower[0] + 0.5 * (1 + x.at) * (r.upper[0] - r.lower[0]),
+                          r.lower[1] + 0.5 * (1 + y.at) * (r.upper[1] - r.lower[1]), 0);
+          mean += 0.25 * x.weight * y.weight * of_point(stress, motion, X, t).body_force;
+        }
       }
+      EXPECT_NEAR(b_x[p], mean.x(), box_rounding * (1 + mean.norm())) << p;
+      EXPECT_NEAR(b_y[p], mean.y(), box_rounding * (1 + mean.norm())) << p;
     }
-    EXPECT_NEAR(b_x[p], mean.x(), box_rounding * (1 + mean.norm())) << p;
-    EXPECT_NEAR(b_y[p], mean.y(), box_rounding * (1 + mean.norm())) << p;
   }
 }
 
 TEST(BoxField, IsTheSeriesAtItsPoints) {
   BoxStress stress(elastic(), sample_box(false), {.tolerance = 1e-8, .end = 0.5});
   const std::vector<double> X{0.2, 0.2, 0.9}, Y{0.4, 0.8, 0.4};
-  BoxField field(stress, X, Y);
+  const auto exact = exact_box(sample_box(false), box_density, elastic(), {.tolerance = 1e-8, .end = 0.5});
+  const auto field = exact->instant({X, Y}, {.stress = true});
   stress.set_time(0.3);
-  field.update(stress);
+  field->set_time(0.3);
   for (std::size_t p = 0; p < X.size(); ++p) {
-    const auto right = stress.at(X[p], Y[p]).piola, found = field.at(p);
+    const auto right = stress.series().at(X[p], Y[p]).piola;
+    const PlaneState s = field->state(p);
+    const Plane P = field->first_piola_kirchhoff(p);
+    const std::array<double, 3> found{P[0], P[3], s.sigma[4] * s.F[0] * s.F[3]};
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], right[c], box_rounding * (1 + std::abs(right[c])));
   }
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/exact/frame_force.hpp"
+#include "harness/exact/exact_fields.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "harness/exact/body_force.hpp"
 #include "harness/motion/frame.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 #include "tests/harness/elastic_material.hpp"
@@ -25,14 +24,16 @@ Vector3 added(const Vector3& X, double t) {
 
 TEST(FrameForce, AtPointsIsTheBodyForceOfTheFrame) {
   const std::vector<double> X{0.8, -0.5, 0.1, 1.3}, Y{0.2, 0.9, -1.0, 0.4};  // the last outside the ring
-  const Response response(*ClosedForm::of(elastic_material(1e3, 0.3), vortex.baseline()));
+  const auto response =
+      std::make_shared<const Response>(*ClosedForm::of(elastic_material(1e3, 0.3), vortex.baseline()));
   std::vector<double> x(4), y(4), b_x(4), b_y(4);
-  BodyForceField field(vortex, 1000, X, Y);
-  FrameForce force(vortex, spin, X, Y);
+  const auto own = exact_polar(vortex, 1000, response);
+  const auto field = own->instant({X, Y}, {.force = true});
+  const auto force = seen_from({0, spin}, own)->instant({X, Y}, {.force = true});
   for (const double t : {0.0, 0.3, 0.9}) {
-    field.evaluate(response, t, x, y);
-    b_x = x, b_y = y;
-    force.apply(t, b_x, b_y);
+    field->set_time(t), force->set_time(t);
+    field->body_force(x, y);
+    force->body_force(b_x, b_y);
     for (std::size_t p = 0; p < 4; ++p) {
       const Vector3 at(X[p], Y[p], 0);
       const Vector3 exact = Frame{0, spin}.rotation(t) * Vector3(x[p], y[p], 0) + added(at, t);
@@ -46,14 +47,11 @@ TEST(FrameForce, AtPointsIsTheBodyForceOfTheFrame) {
 TEST(FrameForce, OverDomainsIsTheMeanOfThePoints) {
   constexpr double half = 0.025;
   const std::vector<double> X{0.9, 0.74, -1.02, 1.4}, Y{0.3, 0.1, 0.72, 0.1};
-  std::vector<Rectangle> squares;
-  for (std::size_t p = 0; p < X.size(); ++p) {
-    squares.push_back({{X[p] - half, Y[p] - half}, {X[p] + half, Y[p] + half}});
-  }
-  FrameForce force(vortex, spin, X, Y, domains_of(squares, {vortex.inner, vortex.outer}, false));
+  const auto own = exact_polar(vortex, 1, nullptr)->instant({X, Y, {half, half}}, {.motion = true});
   for (const double t : {0.2, 0.8}) {
     std::vector<double> b_x(X.size()), b_y(X.size());
-    force.apply(t, b_x, b_y);
+    own->set_time(t);
+    see_body_force({0, spin}, *own, t, b_x, b_y);
     for (std::size_t p = 0; p < X.size(); ++p) {
       constexpr int n = 200;
       Vector3 mean = Vector3::Zero();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/exact/inertia.hpp"
+#include "harness/exact/exact_fields.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include "harness/motion/kinds/rotating_stretch.hpp"
 #include "harness/motion/kinds/twisting_ring.hpp"
 #include "harness/motion/kinds/vortex.hpp"
+#include "tests/harness/elastic_material.hpp"
 
 namespace assay::test_inertia {
 namespace {
@@ -32,11 +33,11 @@ TEST(Inertia, IsTheFramesAccelerationAndItsGradient) {
   for (const double spin : {0.0, 3.1}) {
     Frame frame;
     frame.spin = spin;
-    InertiaField field(vortex, spin, X, Y);
+    const auto field = seen_from(frame, exact_polar(vortex, 1, nullptr))->instant({X, Y}, {.inertia = true});
     for (const double t : {0.0, 0.13, 0.5, 0.81}) {
-      field.set_time(t);
+      field->set_time(t);
       for (std::size_t p = 0; p < X.size(); ++p) {
-        const auto found = field.at(p);
+        const auto found = field->inertia(p);
         const Vector3 a = seen_acceleration(vortex, frame, X[p], Y[p], t);
         const double scale = 1 + a.norm();
         for (int i = 0; i < 2; ++i) EXPECT_NEAR(found.a[static_cast<std::size_t>(i)], a[i], rounding * scale);
@@ -64,15 +65,19 @@ TEST(Inertia, IsTheMotionsAccelerationAndItsGradient) {
   AxisAligned box;
   box.amplitude = {Amplitude::Type::sine, 0.1, 0.8};
   RotatingStretch stretch;
-  for (const Motion& motion : {Motion(ring), Motion(box), Motion(stretch)}) {
-    InertiaField field(motion, 0, X, Y);
+  const std::vector<ExactSolutionPtr> solutions{exact_polar(ring, 1, nullptr),
+                                                exact_box(box, 1, elastic_material(1e3, 0.3), {.tolerance = 1e-2}),
+                                                exact_uniform(stretch, 1, [](double) { return Tensor::Zero(); })};
+  for (const ExactSolutionPtr& solution : solutions) {
+    const Motion& motion = solution->motion();
+    const auto field = solution->instant({X, Y}, {.inertia = true});
     for (const double t : {0.13, 0.41}) {
-      field.set_time(t);
+      field->set_time(t);
       for (std::size_t p = 0; p < 4; ++p) {  // within the ring
         const auto a = [&](double x, double y) { return state_at(motion, {x, y, 0}, t).a; };
         const Vector3 right = a(X[p], Y[p]), along_x = (a(X[p] + step, Y[p]) - a(X[p] - step, Y[p])) / (2 * step),
                       along_y = (a(X[p], Y[p] + step) - a(X[p], Y[p] - step)) / (2 * step);
-        const auto found = field.at(p);
+        const auto found = field->inertia(p);
         const double size = 1 + right.norm() + along_x.norm() + along_y.norm();
         for (std::size_t i = 0; i < 2; ++i) {
           const auto d = static_cast<int>(i);
@@ -86,11 +91,11 @@ TEST(Inertia, IsTheMotionsAccelerationAndItsGradient) {
 }
 
 TEST(Inertia, IsNoneOutsideTheRingOfABodyAtRest) {
-  InertiaField field(Vortex{}, 0, X, Y);
-  field.set_time(0.3);
+  const auto field = exact_polar(Vortex{}, 1, nullptr)->instant({X, Y}, {.inertia = true});
+  field->set_time(0.3);
   for (const std::size_t p : {std::size_t{4}, std::size_t{5}}) {
-    for (const double a : field.at(p).a) EXPECT_EQ(a, 0);
-    for (const double slope : field.at(p).gradient) EXPECT_EQ(slope, 0);
+    for (const double a : field->inertia(p).a) EXPECT_EQ(a, 0);
+    for (const double slope : field->inertia(p).gradient) EXPECT_EQ(slope, 0);
   }
 }
 

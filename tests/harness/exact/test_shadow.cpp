@@ -25,7 +25,7 @@ double difference_to_sheet(const std::shared_ptr<const Material>& material, int 
     for (int k = 0; k < 301; ++k) {
       const double xi = path.parameter.lower + path.parameter.width() * k / 300;
       Tensor tau, slope, exact, exact_slope;
-      shadow.at(xi, tau, slope);
+      shadow.curve()->at(xi, tau, slope);
       sheet.at(xi, t, exact, exact_slope);
       largest = std::max(largest, (tau - exact).cwiseAbs().maxCoeff());
     }
@@ -57,7 +57,7 @@ TEST(Shadow, KnowsWhereTheFrontsAre) {
   const Sheet sheet(*material, path, {.tolerance = 1e-6, .end = 1});
   const double spacing = path.parameter.width() / 399;
   for (const double t : {0.1, 0.3, 0.8}) {
-    const std::vector<double> found = response.fronts(t), exact = sheet.slice(t).kinks();
+    const std::vector<double> found = response.at_time(t)->fronts(), exact = sheet.slice(t).kinks();
     EXPECT_FALSE(found.empty());
     for (const double front : found) {
       double nearest = 1e9;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/motion/path_recipe.hpp"
+#include "harness/motion/registry.hpp"
 
 #include <gtest/gtest.h>
 

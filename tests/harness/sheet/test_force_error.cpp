@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "harness/exact/body_force.hpp"
+#include "harness/exact/polar.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 #include "tests/harness/builtin_material.hpp"
 

@@ -21,7 +21,8 @@ Setup<2> turning(int across, const Method& method, Inertia inertia) {
   Setup<2> setup = vortex_setup(across, method);
   auto& vortex = *setup.motion->as<Vortex>();
   vortex.amplitude.peak = 0;
-  setup.response = std::make_shared<const Response>(*ClosedForm::of(setup.material, vortex.baseline()));
+  setup.exact = exact_polar(vortex, setup.density,
+                            std::make_shared<const Response>(*ClosedForm::of(setup.material, vortex.baseline())));
   setup.frame.emplace();
   setup.frame->spin = spin;
   setup.inertia = inertia;

@@ -25,9 +25,7 @@ Setup<2> stretched_setup(TractionForm form) {
   motion.final << 1.4, 0.5, 0, -0.3, 0.8, 0, 0, 0, 1;
   setup.motion = motion;
   setup.traction = Traction{TractionAlgorithm::virtual_stress, form};
-  setup.exact = std::make_shared<const ExactSolution>(
-      motion, setup.density,
-      std::make_shared<HomogeneousStress>(setup.material, motion.baseline(), motion.own_parameter(), 1, 1e-12));
+  setup.exact = exact_uniform(motion, setup.density, setup.material, motion.baseline(), 1, 1e-12);
   return setup;
 }
 
@@ -36,7 +34,7 @@ TEST(VirtualStress, IsTakenFromTheStressOfParticlesThatErr) {
   const double t = 0.7;
   for (const TractionForm form : {TractionForm::follower, TractionForm::reference}) {
     const auto setup = stretched_setup(form);
-    const ExactStress exact = setup.exact->stress(Vector3::Zero(), t);
+    const ExactStress exact = setup.exact->at(Vector3::Zero(), t).stress;
     Pass<2> pass = virtual_stress_pass(form);
     for (const Column filled : {Column::position, Column::velocity, Column::mass, Column::volume}) {
       pass.reads.push_back(filled);

@@ -88,8 +88,7 @@ Setup<2> box_setup(const Method& method, double lower, bool periodic, int across
   AxisAligned motion;
   motion.amplitude = {Amplitude::Type::sine, 0.1, 0.3};
   setup.motion = motion;
-  setup.exact = std::make_shared<const ExactSolution>(
-      motion, 1000, std::make_shared<BoxStress>(setup.material, motion, BoxStressOptions{.end = 0.3}));
+  setup.exact = exact_box(motion, 1000, setup.material, {.end = 0.3});
   setup.body_force = setup.accounts = true;
   setup.evaluation = Evaluation::domain_average;
   for (AxisEnds& ends : setup.ends) ends = {lower, 1.0, periodic};

@@ -9,6 +9,7 @@
 #include "mpm/material/passes_particle.hpp"
 #include "mpm/step/sweep.hpp"
 #include "tests/harness/builtin_material.hpp"
+#include "tests/harness/exact/vortex_force.hpp"
 #include "tests/mpm/basis_cases.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 #include "tests/support/test_materials.hpp"
@@ -192,8 +193,7 @@ double difference_to_exact_stress(const std::array<double, 3>& direction, bool t
   if (!turned) setup.motion.reset();
   Path path = vortex.baseline();
   path.material_direction = direction;
-  const Response response(Sheet(*setup.material, path, {.tolerance = 1e-9, .end = 1, .workers = {}}));
-  setup.response = std::make_shared<const Response>(response);
+  const Sheet sheet(*setup.material, path, {.tolerance = 1e-9, .end = 1, .workers = {}});
   setup.body_force = false;
   Simulation<2> simulation(setup);
   State<2>& s = simulation.state();
@@ -209,7 +209,7 @@ double difference_to_exact_stress(const std::array<double, 3>& direction, bool t
   double difference = 0, scale = 0;
   for (std::size_t p = 0; p < s.particles; ++p) {
     Tensor tau, slope;
-    response.at(vortex.profile(X(p).norm()).xi, t, tau, slope);
+    sheet.at(vortex.profile(X(p).norm()).xi, t, tau, slope);
     const Tensor sigma = cauchy_stress(rotated_to(vortex, X(p), t, tau), vortex.at(X(p), t).F);
     for (int c = 0; c < 4; ++c) {
       difference = std::max(difference, std::abs(s.column(Column::stress, c)[p] - sigma(c / 2, c % 2)));

@@ -18,7 +18,7 @@ Setup<2> large(const Method& method, int threads, Instructions instructions) {
   Setup<2> setup = averaged_setup(24, false, method);
   static const auto response =
       std::make_shared<const Response>(Sheet(*setup.material, setup.motion->as<Vortex>()->baseline(), {}));
-  setup.response = response;
+  setup.exact = exact_polar(*setup.motion, setup.density, response);
   setup.threads = threads;
   setup.instructions = instructions;
   return setup;

@@ -5,10 +5,11 @@
 
 #include <cmath>
 
-#include "harness/exact/body_force.hpp"
-#include "harness/exact/domain_average.hpp"
+#include "harness/exact/polar_average.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 #include "harness/numeric/gauss.hpp"
+#include "tests/harness/exact/made_up_curve.hpp"
+#include "tests/harness/exact/vortex_force.hpp"
 
 namespace assay::test_twisting_ring {
 namespace {
@@ -108,16 +109,8 @@ TEST(TwistingRing, TurnsWhereEitherOfItsPartsDoes) {
 }
 
 /// Of tau(R) at a time.
-PlaneResponse response_of_ring(const TwistingRing& ring) {
-  return {[ring](double t, std::span<const double> R, std::span<double> tau) {
-            const std::size_t n = R.size();
-            for (std::size_t i = 0; i < n; ++i) {
-              const Tensor value = neo_hookean(ring.ring(R[i], t).baseline(R[i]));
-              tau[i] = value(0, 0), tau[n + i] = value(0, 1), tau[2 * n + i] = value(1, 0);
-              tau[3 * n + i] = value(1, 1);
-            }
-          },
-          [](double) { return std::vector<double>(); }};
+MadeUpCurve response_of_ring(const TwistingRing& ring, double t) {
+  return MadeUpCurve([ring, t](double R) { return neo_hookean(ring.ring(R, t).baseline(R)); });
 }
 
 /// Mean of the pointwise force over a rectangle within the ring.
@@ -137,10 +130,10 @@ TEST(TwistingRing, AveragedForceIsTheMeanOfThatAtPoints) {
   const TwistingRing ring = sample(0.06, 0.7);
   const std::vector<Rectangle> cells{
       {{0.7, 0.5}, {0.75, 0.55}}, {{-0.95, 0.2}, {-0.9, 0.25}}, {{0.1, -1.1}, {0.15, -1.05}}};
-  DomainAverage average(ring, density, domains_of(cells, {ring.inner(), ring.outer()}, false), 8);
+  PolarAverage average(ring, density, domains_of(cells, {ring.inner(), ring.outer()}, false), gauss_rule<8>());
   std::vector<double> x(cells.size()), y(cells.size());
   for (const double t : {0.11, 0.37}) {
-    average.evaluate(response_of_ring(ring), t, x, y);
+    average.evaluate(response_of_ring(ring, t), t, x, y);
     for (std::size_t p = 0; p < cells.size(); ++p) {
       const Vector3 mean = mean_force(ring, cells[p], t);
       EXPECT_LT((Vector3(x[p], y[p], 0) - mean).norm(), 1e-7 * mean.norm()) << p;

@@ -5,41 +5,36 @@
 //
 // Straight edges are split at the ring's edges (by ReferenceDomains) and, at each time, at the fronts of the material;
 // two Gauss points a piece. Along an arc tau and alpha are constant: the angle is integrated exactly.
+//
+//        +--:--+        edges inside the ring bear T.N, which two neighbours share with opposite signs;
+//        |  :  |        the dotted arc is the ring's face, an edge of the part in the ring;
+//        +--:--+        a, a function X f(R) of the place, is integrated over that part (ring_moments.hpp)
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
-#include "harness/exact/reference_domain.hpp"
-#include "harness/exact/response.hpp"
+#include "harness/exact/exact_fields.hpp"
 #include "harness/exact/ring_moments.hpp"
 #include "harness/motion/motion.hpp"
+#include "harness/numeric/gauss.hpp"
 #include "harness/numeric/in_pieces.hpp"
 
 namespace assay {
 
-/// What the average asks of a material's response.
-struct PlaneResponse {
-  /// tau[c * n + i] at n values of the baseline's parameter xi, c = 11, 12, 21, 22 [Pa].
-  std::function<void(double t, std::span<const double> xi, std::span<double> tau)> tau;
-  std::function<std::vector<double>(double t)> fronts;  ///< xi, ascending, at which (d tau / d xi)_t jumps
-};
-
-class DomainAverage {
+class PolarAverage {
  public:
   /// S = Q(alpha) tau at a radius, row-major.
   struct Rotated {
     double s11 = 0, s12 = 0, s21 = 0, s22 = 0;
   };
 
-  /// motion: the vortex or the twisting ring; density: rho0 [kg/m^3]; gauss_points: of each straight piece, 1 to 8.
-  DomainAverage(const Motion& motion, double density, const ReferenceDomains& domains, int gauss_points = 2);
+  /// density: rho0 [kg/m^3]; rule: of each straight piece.
+  PolarAverage(const Motion& motion, double density, const ReferenceDomains& domains,
+               std::span<const GaussPoint> rule = gauss_rule<2>());
 
-  /// Writes b_avg [m/s^2] of each particle. Allocates nothing where there are no fronts.
-  void evaluate(const PlaneResponse& response, double t, std::span<double> b_x, std::span<double> b_y,
-                const InPieces& pieces = in_one_piece);
-  void evaluate(const Response& response, double t, std::span<double> b_x, std::span<double> b_y,
+  /// Writes b_avg [m/s^2] of each particle at the time of the response. Allocates nothing where there are no fronts.
+  void evaluate(const ResponseAtTime& response, double t, std::span<double> b_x, std::span<double> b_y,
                 const InPieces& pieces = in_one_piece);
 
   std::size_t radii() const { return xi_.size(); }     ///< at which tau is asked for
@@ -77,14 +72,13 @@ class DomainAverage {
   void share_radii(std::span<const double> radius);
   Point flux_of(std::span<const BoundaryPoint> points, std::span<const Rotated> S) const;
   void cuts_of(const Edge& edge, std::span<const double> radii, std::vector<double>& cuts) const;
-  std::vector<Rotated> rotated_at(const PlaneResponse& response, double t, double g,
-                                  std::span<const double> radius) const;
-  void split_at_fronts(const PlaneResponse& response, double t, double g);
+  std::vector<Rotated> rotated_at(const ResponseAtTime& response, double g, std::span<const double> radius) const;
+  void split_at_fronts(const ResponseAtTime& response, double g);
   void accelerations(double t);
   void force_on(std::size_t shape);
 
   Motion motion_;
-  int gauss_points_;
+  std::vector<GaussPoint> rule_;
   std::function<std::vector<double>(double)> radii_of_xi_;
   std::vector<ReferenceDomains::Place> places_;
   RingMoments moments_;
@@ -99,6 +93,23 @@ class DomainAverage {
   std::vector<Point> flux_;    // of each edge [N/m]
   std::vector<Point> node_a_;  // along X and E_z x X [1/s^2]
   std::vector<Point> force_;   // of each shape: integral of a, then b [m/s^2]
+};
+
+/// The means of x and v over the particles' domains: those of X, and what the part in the ring adds to them.
+class PolarMeans {
+ public:
+  PolarMeans(const Motion& motion, const ReferenceDomains& domains);
+  void set_time(double t);
+  /// centroid: of the particle's domain [m].
+  PlaneMean at(std::size_t particle, const Point& centroid) const;
+
+ private:
+  std::vector<ReferenceDomains::Place> places_;
+  RingMoments moments_;
+  RingsInMotion nodes_;
+  std::vector<double> volume_;            // of each shape [m^3]
+  std::vector<Point> node_x_, node_v_;    // at the radial nodes, along X and E_z x X: x - X and v [1], [1/s]
+  std::vector<Point> added_x_, added_v_;  // of each shape
 };
 
 }  // namespace assay

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Any exact solution as a frame sees it.
+#include <algorithm>
+#include <cmath>
+
+#include "harness/exact/exact_fields.hpp"
+
+namespace assay {
+
+namespace {
+
+/// a + 2 w x v + w x (w x x).
+Point apparent(const Point& a, const Point& v, const Point& x, double spin) {
+  const double twice = 2 * spin, square = spin * spin;
+  return {a[0] - twice * v[1] - square * x[0], a[1] + twice * v[0] - square * x[1]};
+}
+
+/// R(angle + spin t).
+Plane rotation_of(const Frame& frame, double t) {
+  const double angle = frame.angle + frame.spin * t;
+  return rotation(std::cos(angle), std::sin(angle));
+}
+
+class FramedInstant final : public ExactInstant {
+ public:
+  FramedInstant(const Frame& frame, std::unique_ptr<ExactInstant> own, const ExactPoints& points)
+      : ExactInstant(points.X, points.Y), frame_(frame), own_(std::move(own)), first_(rotation_of(frame, 0)) {}
+
+  void set_time(double t) override {
+    t_ = t;
+    now_ = rotation_of(frame_, t);
+    own_->set_time(t);
+  }
+
+  PlaneState state(std::size_t p) const override {
+    const PlaneState own = own_->state(p);
+    const PlaneMean seen = moved({own.x, own.v});
+    PlaneState s{seen.x, seen.v, turned(own.F), own.sigma};
+    const Plane sigma = product(product(now_, {s.sigma[0], s.sigma[1], s.sigma[2], s.sigma[3]}), transposed(now_));
+    std::copy(sigma.begin(), sigma.end(), s.sigma.begin());
+    return s;
+  }
+  Point velocity(std::size_t p) const override { return state(p).v; }
+  Plane F_rate(std::size_t p) const override {
+    const Plane F = own_->state(p).F, rate = own_->F_rate(p);
+    const Point first = carried({rate[0], rate[2]}, {F[0], F[2]}), second = carried({rate[1], rate[3]}, {F[1], F[3]});
+    return turned({first[0], second[0], first[1], second[1]});
+  }
+  Plane first_piola_kirchhoff(std::size_t p) const override { return turned(own_->first_piola_kirchhoff(p)); }
+
+  PlaneInertia inertia(std::size_t p) const override {
+    const PlaneInertia own = own_->inertia(p);
+    const PlaneState s = own_->state(p);
+    const Plane rate = own_->F_rate(p), &G = own.gradient;
+    Plane gradient;  // column by column, each as a itself
+    for (std::size_t j = 0; j < 2; ++j) {
+      const Point column = apparent({G[j], G[2 + j]}, {rate[j], rate[2 + j]}, {s.F[j], s.F[2 + j]}, frame_.spin);
+      gradient[j] = column[0], gradient[2 + j] = column[1];
+    }
+    return {times(now_, apparent(own.a, s.v, s.x, frame_.spin)), turned(gradient)};
+  }
+
+  void body_force(std::span<double> b_x, std::span<double> b_y, const InPieces& pieces) override {
+    own_->body_force(b_x, b_y, pieces);
+    see_body_force(frame_, *own_, t_, b_x, b_y);
+  }
+
+  PlaneMean mean(std::size_t p) const override { return moved(own_->mean(p)); }
+  Point displacement(std::size_t p) const override { return own_->displacement(p); }
+  bool moves(std::size_t p) const override { return own_->moves(p); }
+  double measure(std::size_t p, const Plane& F) const override {
+    return own_->measure(p, product(product(transposed(now_), F), first_));
+  }
+
+ private:
+  Point carried(const Point& v, const Point& x) const { return {v[0] - frame_.spin * x[1], v[1] + frame_.spin * x[0]}; }
+  /// x' = R x + c t, v' = R (v + w x x) + c.
+  PlaneMean moved(const PlaneMean& own) const {
+    PlaneMean seen{times(now_, own.x), times(now_, carried(own.v, own.x))};
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double c = frame_.velocity[static_cast<int>(d)];
+      seen.x[d] += c * t_, seen.v[d] += c;
+    }
+    return seen;
+  }
+  /// R(t) A R(0)^T.
+  Plane turned(const Plane& A) const { return product(product(now_, A), transposed(first_)); }
+
+  Frame frame_;
+  std::unique_ptr<ExactInstant> own_;
+  double t_ = 0;
+  Plane first_, now_{1, 0, 0, 1};  ///< R(0), R(t)
+};
+
+class FramedSolution final : public ExactSolution {
+ public:
+  FramedSolution(const Frame& frame, ExactSolutionPtr own)
+      : ExactSolution(own->motion(), 0), frame_(frame), own_(std::move(own)) {}
+
+  std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between) const override {
+    std::vector<PlaceAndTime> of_body(points.begin(), points.end());
+    for (PlaceAndTime& point : of_body) point.X = frame_.body_point(point.X);
+    std::vector<ExactPoint> found = own_->at(of_body, between);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const double t = points[i].t;
+      found[i] = {frame_.seen(found[i].state, t), frame_.seen(found[i].stress, found[i].state, t)};
+    }
+    return found;
+  }
+
+  std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const override {
+    Frame frame = frame_;
+    Asked of_own = asked;
+    of_own.motion = true;
+    if (own_->is_axisymmetric()) {  // turned by an angle it is itself
+      frame.angle = 0;
+      if (!frame.moves()) return own_->instant(points, asked);
+      return std::make_unique<FramedInstant>(frame, own_->instant(points, of_own), points);
+    }
+    std::vector<double> X, Y;
+    for (std::size_t p = 0; p < points.X.size(); ++p) {
+      const Point of_body = times(transposed(rotation_of(frame, 0)), {points.X[p], points.Y[p]});
+      X.push_back(of_body[0]), Y.push_back(of_body[1]);
+    }
+    return std::make_unique<FramedInstant>(frame, own_->instant({X, Y, points.half, points.domains}, of_own), points);
+  }
+
+  bool is_axisymmetric() const override { return own_->is_axisymmetric(); }
+  const Response* response() const override { return own_->response(); }
+  std::optional<StressSource> source() const override { return own_->source(); }
+
+ private:
+  Frame frame_;
+  ExactSolutionPtr own_;
+};
+
+}  // namespace
+
+ExactSolutionPtr seen_from(const Frame& frame, ExactSolutionPtr own) {
+  return std::make_shared<const FramedSolution>(frame, std::move(own));
+}
+
+void see_body_force(const Frame& frame, const ExactInstant& own, double t, std::span<double> b_x,
+                    std::span<double> b_y) {
+  const Plane R = rotation_of(frame, t);
+  for (std::size_t p = 0; p < b_x.size(); ++p) {
+    const PlaneMean mean = own.mean(p);
+    const Point b = times(R, apparent({b_x[p], b_y[p]}, mean.v, mean.x, frame.spin));
+    b_x[p] = b[0], b_y[p] = b[1];
+  }
+}
+
+}  // namespace assay

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The exact solution of a motion whose F is the same everywhere: P depends on time alone, and b = a.
+#include <map>
+#include <mutex>
+
+#include "harness/exact/exact_fields.hpp"
+#include "harness/history/troop.hpp"
+#include "harness/material/checked_update.hpp"
+
+namespace assay {
+
+namespace {
+
+/// P of a material along a path, at any time: of a stress that is a function of F by one update, to rounding; else by
+/// a history with error control, taken along as time goes on.
+class UniformStress {
+ public:
+  UniformStress(std::shared_ptr<const Material> material, const Path& path, double own, double end, double tolerance)
+      : material_(std::move(material)), path_(path), own_(own) {
+    if (material_->is_function_of_F()) {
+      state_ = material_->initial_state(1, {}, path_.material_direction);
+    } else {
+      course_.emplace(*material_, path_, end);
+      options_ = {.tolerance = tolerance, .watch = material_->has(ASSAY_NON_SMOOTH)};
+      begin();
+    }
+  }
+
+  Tensor at(double t) {
+    const std::lock_guard lock(mutex_);
+    if (t == t_) return P_;
+    P_ = history_ ? by_history(t) : by_update(t);
+    t_ = t;
+    return P_;
+  }
+
+  std::optional<StressSource> source() const {
+    const std::lock_guard lock(mutex_);
+    if (!history_) return std::nullopt;
+    return StressSource{1, history_->error(), "one history", "", earlier_calls_ + history_->calls()};
+  }
+
+ private:
+  void begin() {
+    if (history_) earlier_calls_ += history_->calls();
+    history_.emplace(*course_, std::vector{own_}, options_);
+  }
+
+  Tensor by_history(double t) {
+    if (t < t_) begin();
+    history_->advance(t);
+    return history_->tau(0);
+  }
+
+  Tensor by_update(double t) const {
+    const Tensor F = path_.deformation_gradient(own_, t), I = Tensor::Identity();
+    double F0[9], F1[9], values[9];
+    for (int c = 0; c < 9; ++c) F0[c] = component(I, c), F1[c] = component(F, c);
+    std::vector<double> after(state_.size());
+    checked_update(*material_, own_, 0, t > 0 ? t : 1, 1, F0, F1, state_.data(), after.data(), values);
+    Tensor cauchy;
+    for (int c = 0; c < 9; ++c) component(cauchy, c) = values[c];
+    return first_piola_kirchhoff(cauchy, F);
+  }
+
+  std::shared_ptr<const Material> material_;
+  Path path_;
+  double own_;  ///< parameter of the path
+  HistoryOptions options_;
+  std::optional<Course> course_;
+  std::optional<Troop> history_;  ///< of one
+  std::vector<double> state_;     ///< at rest
+  std::int64_t earlier_calls_ = 0;
+  mutable std::mutex mutex_;
+  double t_ = -1;  ///< of P_ [s]
+  Tensor P_ = Tensor::Zero();
+};
+
+class UniformInstant final : public ExactInstant {
+ public:
+  UniformInstant(const Motion& motion, std::function<Tensor(double)> P, const ExactPoints& points, const Asked& asked)
+      : ExactInstant(points.X, points.Y), motion_(motion), P_of_(std::move(P)), asked_(asked) {}
+
+  void set_time(double t) override {
+    origin_ = motion_->at(Vector3::Zero(), t);
+    a_.a = in_plane(origin_.a);
+    for (std::size_t d = 0; d < 2; ++d) {
+      const Vector3 along = motion_->at(Vector3::Unit(static_cast<int>(d)), t).a - origin_.a;
+      a_.gradient[d] = along.x(), a_.gradient[2 + d] = along.y();
+    }
+    if (!asked_.stress || X_.empty()) return;
+    const Tensor P = P_of_(t);
+    P_ = in_plane(P);
+    sigma_ = plane_stress(cauchy_stress(P, origin_.F));
+  }
+
+  PlaneState state(std::size_t p) const override {
+    return {in_plane(Vector3(origin_.x + origin_.F * X(p))), velocity(p), in_plane(origin_.F), sigma_};
+  }
+  Point velocity(std::size_t p) const override { return in_plane(Vector3(origin_.v + origin_.F_rate * X(p))); }
+  Plane F_rate(std::size_t) const override { return in_plane(origin_.F_rate); }
+  Plane first_piola_kirchhoff(std::size_t) const override { return P_; }
+
+  PlaneInertia inertia(std::size_t p) const override {
+    PlaneInertia at = a_;
+    for (std::size_t d = 0; d < 2; ++d) at.a[d] += at.gradient[2 * d] * X_[p] + at.gradient[2 * d + 1] * Y_[p];
+    return at;
+  }
+
+  void body_force(std::span<double> b_x, std::span<double> b_y, const InPieces&) override {
+    for (std::size_t p = 0; p < b_x.size(); ++p) {
+      const Point b = inertia(p).a;
+      b_x[p] = b[0], b_y[p] = b[1];
+    }
+  }
+
+ private:
+  Vector3 X(std::size_t p) const { return {X_[p], Y_[p], 0}; }
+
+  Motion motion_;
+  std::function<Tensor(double)> P_of_;
+  Asked asked_;
+  ExactState origin_;
+  PlaneInertia a_;  ///< of the origin
+  Plane P_{};
+  std::array<double, 5> sigma_{};
+};
+
+class UniformSolution final : public ExactSolution {
+ public:
+  using Source = std::function<std::optional<StressSource>()>;
+  UniformSolution(const Motion& motion, double density, std::function<Tensor(double)> P, Source source = {})
+      : ExactSolution(motion, density), P_(std::move(P)), source_(std::move(source)) {}
+
+  std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between) const override {
+    std::vector<ExactPoint> found(points.size());
+    std::multimap<double, std::size_t> by_time;
+    for (std::size_t i = 0; i < points.size(); ++i) by_time.emplace(points[i].t, i);
+    double done = 0;
+    for (const auto& [t, i] : by_time) {
+      if (between) between(done++ / static_cast<double>(points.size()), "points");
+      const ExactState state = motion_->at(points[i].X, t);
+      const Tensor P = P_(t);
+      found[i] = {state, {P, cauchy_stress(P, state.F), state.a}};
+    }
+    return found;
+  }
+
+  std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const override {
+    return std::make_unique<UniformInstant>(motion_, P_, points, asked);
+  }
+  std::optional<StressSource> source() const override { return source_ ? source_() : std::nullopt; }
+
+ private:
+  std::function<Tensor(double)> P_;
+  Source source_;
+};
+
+}  // namespace
+
+ExactSolutionPtr exact_uniform(const Motion& motion, double density, std::function<Tensor(double)> P) {
+  return std::make_shared<const UniformSolution>(motion, density, std::move(P));
+}
+
+ExactSolutionPtr exact_uniform(const Motion& motion, double density, std::shared_ptr<const Material> material,
+                               const Path& path, double end, double tolerance) {
+  auto stress = std::make_shared<UniformStress>(std::move(material), path, motion->own_parameter(), end, tolerance);
+  return std::make_shared<const UniformSolution>(
+      motion, density, [stress](double t) { return stress->at(t); }, [stress] { return stress->source(); });
+}
+
+}  // namespace assay
