@@ -63,17 +63,15 @@ class FrontLines {
 
 /// The fronts at which the slope jumps at this time.
 std::vector<double> jumps(const Tabulation& tab, double t) {
-  std::vector<double> found, sides;
+  std::vector<double> found;
   const double step = beside * tab.path.parameter.width();
-  const std::vector<double> fronts = tab.response->fronts(t);
-  for (const double xi : fronts) sides.insert(sides.end(), {xi - step, xi + step});
-  Tensor below = Tensor::Zero();
-  tab.response->at_time(t, sides, [&](std::size_t k, const Tensor&, const Tensor& slope) {
-    if (k % 2 == 0)
-      below = slope;
-    else if ((slope - below).norm() > least_jump * std::max(slope.norm(), below.norm()))
-      found.push_back(fronts[k / 2]);
-  });
+  const auto now = tab.response->at_time(t);
+  Tensor tau, below, above;
+  for (const double xi : now->fronts()) {
+    now->at(xi - step, tau, below);
+    now->at(xi + step, tau, above);
+    if ((above - below).norm() > least_jump * std::max(above.norm(), below.norm())) found.push_back(xi);
+  }
   return found;
 }
 
@@ -116,9 +114,12 @@ HeatMap sheet_picture(const Tabulation& tab) {
   for (std::size_t i = 0; i < map_columns; ++i) {
     stop_if_interrupted();
     const double t = tab.end * (double(i) + 0.5) / double(map_columns);
-    tab.response->at_time(t, xi, [&](std::size_t j, const Tensor& tau, const Tensor&) {
+    const auto now = tab.response->at_time(t);
+    Tensor tau, slope;
+    for (std::size_t j = 0; j < xi.size(); ++j) {
+      now->at(xi[j], tau, slope);
       map.values[i * map_rows + j] = component(tau, shown);
-    });
+    }
   }
   FrontLines fronts(tab.end / double(front_times), reach * tab.path.parameter.width());
   for (std::size_t i = 0; i < front_times; ++i) {
