@@ -17,7 +17,7 @@
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/table_pack.hpp"
 #include "harness/material/material.hpp"
-#include "harness/material/model_threw.hpp"
+#include "harness/material/material_failure.hpp"
 
 namespace assay::adapters {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "adapters/worker/remote_instance.hpp"
-#include "harness/material/failed_step.hpp"
+#include "harness/material/material_failure.hpp"
 
 namespace assay::adapters {
 

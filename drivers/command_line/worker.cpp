@@ -9,7 +9,6 @@
 #include "adapters/process/fate.hpp"
 #include "adapters/worker/worker.hpp"
 #include "drivers/command_line/command_line.hpp"
-#include "drivers/material/material_table.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/simulation/stress_offload.hpp"
 

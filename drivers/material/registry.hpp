@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "adapters/worker/warden.hpp"
+#include "adapters/worker/worker.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/input_error.hpp"
