@@ -23,10 +23,11 @@ struct InitialState {
 
 }  // namespace assay::adapters
 
+namespace assay {
 template <>
-struct assay::OfferedFunction<assay::adapters::InitialState> {
-  static constexpr auto function = &adapters::InitialState::initial_state;
-};
+inline constexpr OfferedFunction<&adapters::InitialState::initial_state> offered<adapters::InitialState>{
+    nullptr, "initial_state"};
+}  // namespace assay
 
 namespace assay::adapters {
 
@@ -151,7 +152,7 @@ class CallPassage {
 
 /// The type of a function of the list.
 template <class Function>
-using PointerOf = std::remove_cvref_t<decltype(std::declval<Function>().*OfferedFunction<Function>::function)>;
+using PointerOf = std::remove_cvref_t<decltype(std::declval<Function>().*offered<Function>.function)>;
 
 /// The function of a table of ours that hands its arguments to `Target::forward<Function>(self, arguments...)`.
 template <class Target, class Function, class Pointer = PointerOf<Function>>
@@ -165,13 +166,13 @@ struct Forwarded<Target, Function, std::int32_t (*)(void*, Arguments...)> {
 template <class Target, class Extension>
 inline const Extension forwarded_extension{sizeof(Extension), &Forwarded<Target, Extension>::call};
 
-/// The extension of that name with functions of Target; null where `offered` says false of its place in the list, and
-/// where there is none of that name.
+/// The extension of that name with functions of Target; null where `is_offered` says false of its place in the list,
+/// and where there is none of that name.
 template <class Target, class Offered, class... Extensions>
-const void* forwarded_of(const char* id, const Offered& offered, FunctionList<Extensions...> list) {
+const void* forwarded_of(const char* id, const Offered& is_offered, FunctionList<Extensions...> list) {
   const void* found = nullptr;
   const auto look = [&]<class Extension>(const Extension& extension) {
-    if (std::strcmp(id, OfferedFunction<Extension>::id) == 0 && offered(place_in<Extension>(list))) found = &extension;
+    if (std::strcmp(id, offered<Extension>.id) == 0 && is_offered(place_in<Extension>(list))) found = &extension;
   };
   (look(forwarded_extension<Target, Extensions>), ...);
   return found;
@@ -189,7 +190,7 @@ std::int32_t call_here(const assay_material& table, void* self, Arguments... arg
   if constexpr (!std::is_same_v<Function, InitialState>) {
     return Offer<Function>(table, self)(arguments...);
   } else if (table.initial_state) {
-    return call_model(table, "initial_state", table.initial_state, self, arguments...);
+    return call_model(table, offered<InitialState>.name, table.initial_state, self, arguments...);
   } else {
     return ASSAY_GOOD;
   }

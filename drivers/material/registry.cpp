@@ -10,6 +10,7 @@
 #include "adapters/builtin.hpp"
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/library.hpp"
+#include "adapters/worker/probe.hpp"
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/material/fortran_compiler.hpp"
