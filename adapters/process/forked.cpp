@@ -14,6 +14,7 @@
 #include "adapters/process/kept_process.hpp"
 #include "harness/material/own_process.hpp"
 #include "harness/material/progress_mark.hpp"
+#include "harness/numeric/stopwatch.hpp"
 
 namespace assay::adapters {
 
@@ -57,13 +58,17 @@ class Adopting {
   int before_ = 0;
 };
 
-/// Until the copy has ended, whoever else may hold its pipe.
-std::string heard_from(const KeptProcess& copy, int in) {
+/// Until the copy has ended, whoever else may hold its pipe. What it may take does not stand in shared memory alone,
+/// into which a model can write: `is_late` where it was ended here, because its keeper did not.
+std::string heard_from(const KeptProcess& copy, int in, double patience_s, bool& is_late) {
+  constexpr double keeper_grace_s = 2;
+  const Stopwatch since;
   ::fcntl(in, F_SETFL, O_NONBLOCK);
   std::string text;
   bool open = true;
   for (bool over = false; !over;) {
     constexpr int look_ms = 10;
+    if (!is_late && since.seconds() > patience_s + keeper_grace_s) is_late = true, copy.end();
     pollfd waiting{in, POLLIN, 0};
     open ? static_cast<void>(::poll(&waiting, 1, look_ms)) : wait_while(copy.fate().death, 0, look_ms);
     over = copy.is_over();  // before its last words are read
@@ -117,11 +122,12 @@ Forked in_a_child(const std::function<std::string()>& body, const ForkedHow& how
                          {.seconds = how.patience_s, .gigabytes = 0});
   said.close_out();
   Forked found;
-  found.text = heard_from(copy, said.in());
+  bool is_late = false;
+  found.text = heard_from(copy, said.in(), how.patience_s, is_late);
   const bool at_end = found.text.ends_with(std::string{returned_mark, done_mark});
   const bool done = at_end && take_mark(found.text, done_mark);
   found.returned = take_mark(found.text, returned_mark);
-  found.end = end_of(copy.fate(), done);
+  found.end = is_late ? Forked::End::hangs : end_of(copy.fate(), done);
   if (found.end == Forked::End::lost) found.returned = false, found.text.clear();  // it may have been cut short
   if (found.end == Forked::End::signal) found.signal = copy.fate().death_number;
   return found;

@@ -2,6 +2,8 @@
 // b of the exact motion at the particles' reference positions, at the time at which the step begins.
 #include "mpm/effects/body_force.hpp"
 
+#include <stdexcept>
+
 #include "mpm/data/blocks.hpp"
 #include "mpm/kernels/kernel_state.hpp"
 #include "mpm/seeding/lattice.hpp"
@@ -9,6 +11,7 @@
 namespace assay::mpm {
 
 std::shared_ptr<ExactInstant> fields_of_particles(const State<2>& s, const Asked& asked, Evaluation evaluation) {
+  if (!s.setup.exact) throw std::invalid_argument("what a step needs of the exact motion has no exact solution");
   ExactPoints points{std::span(s.column(Column::reference_position, 0), s.particles),
                      std::span(s.column(Column::reference_position, 1), s.particles)};
   if (evaluation == Evaluation::domain_average) {

@@ -68,9 +68,7 @@ study_page::Document study_document(const StudyFindings& findings, const std::se
   return out;
 }
 
-std::string report_text(const study_page::Document& document) {
-  return html_text(document, study_style);
-}
+std::string report_text(const study_page::Document& document) { return html_text(document, study_style); }
 
 constexpr std::size_t largest_picture = std::size_t{1} << 26;
 

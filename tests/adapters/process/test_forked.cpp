@@ -6,7 +6,11 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
 #include <stdexcept>
+#include <string>
 
 namespace assay::adapters::test_forked {
 namespace {
@@ -39,6 +43,25 @@ TEST(Forked, TellsHowItEnded) {
   for (const int status : {0, 1}) {
     EXPECT_EQ(in_a_child([status]() -> std::string { ::_exit(status); }).end, End::quit);
   }
+}
+
+/// All memory that the process shares with its keeper becomes zero, so that the keeper knows no limit any more.
+void forget_limits() {
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    unsigned long begin = 0, end = 0;
+    char rights[5] = {};
+    if (std::sscanf(line.c_str(), "%lx-%lx %4s", &begin, &end, rights) == 3 && std::string(rights) == "rw-s")
+      std::memset(reinterpret_cast<void*>(begin), 0, end - begin);
+  }
+}
+
+TEST(Forked, AHangEndsEvenWhereTheModelHasWrittenOverTheLimits) {
+  const auto hang = []() -> std::string {
+    forget_limits();
+    for (;;) ::pause();
+  };
+  EXPECT_EQ(in_a_child(hang, {.patience_s = 0.2}).end, End::hangs);
 }
 
 /// Its pipes must not take their numbers, which the function may close or use.

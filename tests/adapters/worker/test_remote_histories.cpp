@@ -100,8 +100,8 @@ TEST_F(RemoteHistories, OfShadowPointsDoNotDependOnTheNumberOfThreads) {
     two.advance(t);
     for (const double xi : {-3.0, -0.2, 0.3, 2.5}) {
       Tensor tau, slope, other_tau, other_slope;
-      one.at(xi, tau, slope);
-      two.at(xi, other_tau, other_slope);
+      one.curve()->at(xi, tau, slope);
+      two.curve()->at(xi, other_tau, other_slope);
       EXPECT_EQ(tau, other_tau) << xi << " at " << t;
     }
   }

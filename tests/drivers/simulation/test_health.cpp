@@ -15,6 +15,7 @@
 #include "drivers/simulation/warnings.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/drivers/quiet_run.hpp"
+#include "tests/drivers/simulation/exact_setup.hpp"
 #include "tests/drivers/simulation/first_breakdown.hpp"
 #include "tests/support/png.hpp"
 #include "tests/support/vtu_reader.hpp"
@@ -32,7 +33,7 @@ const std::string watched_scene =
 /// A run under the watch, without its body force unless that is set.
 struct Watched {
   Problem problem = assemble(scene_from_text(watched_scene, "w.yaml", {}), 1);
-  mpm::Simulation<2> simulation{problem.setup};
+  mpm::Simulation<2> simulation{with_exact_solution(problem)};
   HealthWatch watch{problem, simulation.state()};
   mpm::State<2>& state() { return simulation.state(); }
   std::optional<mpm::Finding> look(std::int64_t steps = 8, double t = 0.01) {

@@ -52,7 +52,7 @@ TEST_F(Cached, ASheetIsMadeOnceAndIsTheSameFromDisk) {
   EXPECT_TRUE(second->sheet()->restored());
   EXPECT_EQ(first->sheet()->points(), second->sheet()->points());
   EXPECT_EQ(first->sheet()->error_tau(), second->sheet()->error_tau());
-  EXPECT_EQ(first->fronts(0.3), second->fronts(0.3));
+  EXPECT_EQ(first->at_time(0.3)->fronts(), second->at_time(0.3)->fronts());
   for (const double t : {0.1, 0.5, 0.93}) {
     Tensor tau[2], slope[2];
     first->at(-1.7, t, tau[0], slope[0]);

@@ -12,6 +12,7 @@
 #include "mpm/simulation.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/refusal.hpp"
+#include "tests/drivers/simulation/exact_setup.hpp"
 
 namespace assay::drivers::test_time_control {
 namespace {
@@ -26,7 +27,7 @@ std::string controlled_scene(const std::string& method, const std::string& time 
 struct Controlled {
   explicit Controlled(const std::string& text) : problem(assemble(scene_from_text(text, "c.yaml", {}), 1)) {}
   Problem problem;
-  mpm::Simulation<2> simulation{problem.setup};
+  mpm::Simulation<2> simulation{with_exact_solution(problem)};
 };
 
 constexpr double direction_error = 0.02;  ///< of the probe, whose directions lie a few degrees apart
@@ -163,7 +164,7 @@ TEST(ViscousShortening, ActsOnPlannedStepsByTheShrinkingOfTheExactMotion) {
 TEST(ViscousShortening, OfCurrentStepsFollowsTheParticles) {
   for (const char* formulation : {"updated", "total"}) {
     const Problem problem = damped("[0.1, 2]", "vortex, amplitude: {peak: 1}", formulation, "{control: current}");
-    mpm::Simulation<2> simulation(problem.setup);
+    mpm::Simulation<2> simulation(with_exact_solution(problem));
     mpm::State<2>& s = simulation.state();
     TimeControl at_rest(problem, s);
     const double before = at_rest.next(s, 0);

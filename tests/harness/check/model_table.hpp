@@ -14,8 +14,8 @@
 #include <tuple>
 #include <vector>
 
-#include "harness/check/stiffness.hpp"
 #include "harness/check/state_variable.hpp"
+#include "harness/check/stiffness.hpp"
 #include "tests/harness/check/mutants.hpp"
 
 namespace assay::check_tests {
