@@ -23,8 +23,8 @@ std::optional<ClosedForm> ClosedForm::of(std::shared_ptr<const Material> materia
   return result;
 }
 
-void ClosedForm::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
-  const double g = amplitude_(t), eps = xi * g;
+void ClosedForm::at(double xi, double t, double g, Tensor& tau, Tensor& dtau_dxi) const {
+  const double eps = xi * g;
   double values[9], slopes[9];
   const std::lock_guard lock(*one_at_a_time_);
   if ((*form_)(baseline_, 1, &eps, values, slopes) == ASSAY_FAILED) {
@@ -57,12 +57,12 @@ class SheetAtTime final : public ResponseAtTime {
 
 class FormAtTime final : public ResponseAtTime {
  public:
-  FormAtTime(const ClosedForm& form, double t) : form_(form), t_(t) {}
-  void at(double xi, Tensor& tau, Tensor& dtau_dxi) const override { form_.at(xi, t_, tau, dtau_dxi); }
+  FormAtTime(const ClosedForm& form, double t) : form_(form), t_(t), g_(form.amplitude(t)) {}
+  void at(double xi, Tensor& tau, Tensor& dtau_dxi) const override { form_.at(xi, t_, g_, tau, dtau_dxi); }
 
  private:
   ClosedForm form_;
-  double t_;
+  double t_, g_;
 };
 
 }  // namespace

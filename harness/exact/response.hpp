@@ -20,7 +20,10 @@ class ClosedForm {
   /// Absent where the material has no closed form of this path.
   static std::optional<ClosedForm> of(std::shared_ptr<const Material> material, const Path& path);
 
-  void at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const;
+  void at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const { at(xi, t, amplitude(t), tau, dtau_dxi); }
+  /// g: the amplitude at t, for many points of one time.
+  void at(double xi, double t, double g, Tensor& tau, Tensor& dtau_dxi) const;
+  double amplitude(double t) const { return amplitude_(t); }
 
  private:
   std::shared_ptr<const Material> material_;
