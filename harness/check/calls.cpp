@@ -43,11 +43,10 @@ TestResult undeclared_increment(const Specimen& specimen) {
   const Tensor I = Tensor::Identity(), less = (1 - 0.1 * a) * I, more = (1 + 0.1 * a) * I;
   const Tensor out = specimen.space.stretch(a, 0.1), beyond = specimen.space.stretch(a, 0.12);
   double worst = trace_of_increment(specimen, out, beyond);
-  for (const auto& [F0, F1] :
-       {std::pair(beyond, out), std::pair(less, Tensor((1 - 0.12 * a) * I)),
-        std::pair(less, Tensor((1 - 0.05 * a) * I)), std::pair(more, Tensor((1 + 0.05 * a) * I))}) {
+  for (const auto& ends : {std::pair(beyond, out), std::pair(less, Tensor((1 - 0.12 * a) * I)),
+                           std::pair(less, Tensor((1 - 0.05 * a) * I)), std::pair(more, Tensor((1 + 0.05 * a) * I))}) {
     const auto trace = [&] {
-      return trace_of_increment(specimen, specimen.space.within(F0), specimen.space.within(F1));
+      return trace_of_increment(specimen, specimen.space.within(ends.first), specimen.space.within(ends.second));
     };
     worst = std::max(worst, if_taken(trace, 0));  // a step that it does not stand, whatever it begins with
   }
