@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <ranges>
 #include <system_error>
 
 #include "adapters/process/shortage.hpp"
@@ -116,7 +115,11 @@ mpm::BlockOutcome StressOffload::death_of(Worker& worker, std::size_t begin, std
   const auto step_of = [&](std::size_t p) {
     return failed_step(now.t, std::abs(now.dt), n, p, F0, F1, state0, state_size_);
   };
-  const auto points = std::views::iota(std::size_t{0}, n);
+  const auto first_that_ends = [&] {  // of a model that took the block as a whole
+    std::size_t p = 0;
+    while (p < n && take_again(*material_, step_of(p)).dt_factor != 0) ++p;
+    return p;
+  };
   mpm::BlockOutcome outcome;
   outcome.refused = block;
   outcome.message = "the model " + worker.process.how_it_ended();
@@ -125,10 +128,8 @@ mpm::BlockOutcome StressOffload::death_of(Worker& worker, std::size_t begin, std
     const bool killed = !refused && worker.process.killed();
     if (killed && take_again(*material_, step_of(*outcome.refused - block)).dt_factor != 0)
       adapters::note_killed_worker();
-  } else if (const auto found = std::ranges::find_if(
-                 points, [&](std::size_t p) { return take_again(*material_, step_of(p)).dt_factor == 0; });
-             found != points.end()) {
-    outcome.refused = block + *found;  // of a model that took the block as a whole
+  } else if (const std::size_t found = first_that_ends(); found < n) {
+    outcome.refused = block + found;
   } else {
     if (worker.process.killed()) adapters::note_killed_worker();
     outcome.message += " in a block of " + std::to_string(n) + " particles, by none of them alone; the first is";
