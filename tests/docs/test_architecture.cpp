@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// docs/architecture.md: the spine is as short as the page says.
+// docs/architecture.md: what to read first is as short as the page says.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace assay::test_architecture {
 namespace {
 
-constexpr double drift = 0.05;       ///< of a number of lines, before the page must follow
-constexpr int longest_spine = 4000;  ///< lines that can be read in an hour or two
+constexpr double drift = 0.05;  ///< of a number of lines, before the page must follow
+constexpr int longest = 4000;   ///< lines that can be read in an hour or two
 
 /// The lines of all files that a row of the table names.
 int lines_of_files(const std::string& row) {
@@ -23,10 +23,10 @@ int lines_of_files(const std::string& row) {
   return lines;
 }
 
-TEST(Architecture, TheSpineIsAsShortAsThePageSays) {
+TEST(Architecture, WhatToReadFirstIsAsShortAsThePageSays) {
   static const std::regex row(R"(\| [^|]+ \| (`[^|]+`) \| (\d+) \|)");
   const std::string page = house::text_of("docs/architecture.md");
-  const std::size_t begin = page.find("## The spine");
+  const std::size_t begin = page.find("## What to read first");
   ASSERT_NE(begin, page.npos);
   int rows = 0, whole = 0;
   for (const std::string& line : house::lines_of(page.substr(begin, page.find("\n## ", begin) - begin))) {
@@ -38,7 +38,7 @@ TEST(Architecture, TheSpineIsAsShortAsThePageSays) {
     ++rows;
   }
   EXPECT_EQ(rows, 10);
-  EXPECT_LT(whole, longest_spine);
+  EXPECT_LT(whole, longest);
 }
 
 }  // namespace
