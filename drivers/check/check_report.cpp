@@ -98,7 +98,7 @@ struct Writer {
   }
 };
 
-/// Throws Json::exception where something is missing, or not what it should be. Of what is null the value stays.
+/// Throws Json::exception if a member is missing or has the wrong type. A null leaves the value as it was.
 struct Reader {
   const Json& in;
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drivers/system/input_error.hpp"
+#include "tests/drivers/call_verb.hpp"
 #include "tests/drivers/registry_fixture.hpp"
 #include "tests/drivers/scene_text.hpp"
 #include "tests/drivers/scratch_folder.hpp"
@@ -15,29 +16,10 @@
 namespace assay::drivers::test_command_line {
 namespace {
 
-struct Outcome {
-  int status = 0;
-  std::string out, err;
-};
-
-Outcome call(std::vector<std::string> words) {
-  words.insert(words.begin(), "assay");
-  std::vector<const char*> argv;
-  for (const std::string& word : words) argv.push_back(word.c_str());
-  argv.push_back(nullptr);
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  Outcome outcome;
-  outcome.status = command_line(static_cast<int>(words.size()), argv.data());
-  outcome.out = testing::internal::GetCapturedStdout();
-  outcome.err = testing::internal::GetCapturedStderr();
-  return outcome;
-}
-
 /// The verbs that the help lists.
 std::vector<std::string> verbs_of_help() {
   std::vector<std::string> verbs;
-  std::istringstream lines(call({"--help"}).out);
+  std::istringstream lines(call_verb({"--help"}).out);
   for (std::string line; std::getline(lines, line) && line != "Subcommands:";) continue;
   for (std::string line; std::getline(lines, line) && !line.empty();)
     verbs.push_back(line.substr(2, line.find(' ', 2) - 2));
@@ -50,7 +32,7 @@ class CommandLine : public RegistryTest {
   std::string refused(const std::vector<std::string>& more) {
     std::vector<std::string> words{"run", write("scene.yaml", scene_text()), "-o", (folder / "out").string()};
     words.insert(words.end(), more.begin(), more.end());
-    const Outcome outcome = call(words);
+    const VerbOutcome outcome = call_verb(words);
     EXPECT_EQ(outcome.status, 2) << outcome.err;
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
@@ -65,7 +47,7 @@ TEST_F(CommandLine, HelpReadsWellAtEightyColumns) {
   EXPECT_GE(verbs.size(), 12u);
   for (const std::string& verb : verbs) calls.push_back({verb, "--help"});
   for (const auto& words : calls) {
-    const Outcome help = call(words);
+    const VerbOutcome help = call_verb(words);
     EXPECT_EQ(help.status, 0);
     EXPECT_EQ(help.err, "");
     EXPECT_NE(help.out.find("Example:\n  assay "), std::string::npos) << words[0];
@@ -73,12 +55,12 @@ TEST_F(CommandLine, HelpReadsWellAtEightyColumns) {
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
   }
   for (const std::string& verb : verbs)
-    EXPECT_NE(call({"--help"}).out.find("\n  " + verb + " "), std::string::npos) << verb;
+    EXPECT_NE(call_verb({"--help"}).out.find("\n  " + verb + " "), std::string::npos) << verb;
 }
 
 TEST_F(CommandLine, WithoutAVerbItNamesThem) {
   for (const auto& words : std::vector<std::vector<std::string>>{{}, {"--"}, {"--quiet"}}) {
-    const Outcome outcome = call(words);
+    const VerbOutcome outcome = call_verb(words);
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err, "assay: no verb; known: " + joined(verbs_of_help()) + "; assay --help tells more\n");
@@ -86,23 +68,23 @@ TEST_F(CommandLine, WithoutAVerbItNamesThem) {
 }
 
 TEST_F(CommandLine, VersionSaysWhatItWasBuiltWith) {
-  const Outcome outcome = call({"--version"});
+  const VerbOutcome outcome = call_verb({"--version"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_TRUE(outcome.out.starts_with("assay ")) << outcome.out;
   EXPECT_NE(outcome.out.find("\ncompiler  "), std::string::npos);
 }
 
 TEST_F(CommandLine, MistypedWordsAreSuggestedFor) {
-  const Outcome verb = call({"tabluate", "x"});
+  const VerbOutcome verb = call_verb({"tabluate", "x"});
   EXPECT_EQ(verb.status, 2);
   EXPECT_EQ(verb.err, "assay: unknown verb 'tabluate' (nearest: tabulate); known: " + joined(verbs_of_help()) + "\n");
   EXPECT_TRUE(
       refused({"--thread=2"}).starts_with("assay run: unknown option '--thread' (nearest: --threads); known: "));
   EXPECT_TRUE(refused({"--sett", "a=1"}).starts_with("assay run: unknown option '--sett' (nearest: --set)"));
   EXPECT_TRUE(refused({"b.yaml"}).starts_with("assay run: unknown argument 'b.yaml'"));
-  EXPECT_TRUE(call({"--config", "x"}).err.starts_with("assay: unknown option '--config'; known: "));
-  EXPECT_TRUE(call({"--quiet", "x"}).err.starts_with("assay: unknown verb 'x'"));
-  EXPECT_TRUE(call({"--quite"}).err.starts_with("assay: unknown option '--quite' (nearest: --quiet)"));
+  EXPECT_TRUE(call_verb({"--config", "x"}).err.starts_with("assay: unknown option '--config'; known: "));
+  EXPECT_TRUE(call_verb({"--quiet", "x"}).err.starts_with("assay: unknown verb 'x'"));
+  EXPECT_TRUE(call_verb({"--quite"}).err.starts_with("assay: unknown option '--quite' (nearest: --quiet)"));
 }
 
 TEST_F(CommandLine, EveryUsageErrorIsOneLineAndTwo) {
@@ -139,7 +121,7 @@ TEST_F(CommandLine, EveryUsageErrorIsOneLineAndTwo) {
                                                     {"compare", "x", "y", "--json", "--markdown", "-"},
                                                     {"materials", "nobody"}};
   for (const auto& words : calls) {
-    const Outcome outcome = call(words);
+    const VerbOutcome outcome = call_verb(words);
     EXPECT_EQ(outcome.status, 2) << testing::PrintToString(words);
     EXPECT_EQ(outcome.out, "") << testing::PrintToString(words);
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
@@ -148,7 +130,7 @@ TEST_F(CommandLine, EveryUsageErrorIsOneLineAndTwo) {
 
 TEST_F(CommandLine, AnOptionIsNoValue) {
   const auto said = [](const std::vector<std::string>& words) {
-    const Outcome outcome = call(words);
+    const VerbOutcome outcome = call_verb(words);
     EXPECT_EQ(outcome.status, 2) << testing::PrintToString(words);
     EXPECT_EQ(outcome.out, "");
     return outcome.err;
@@ -192,23 +174,23 @@ TEST_F(CommandLine, AnOptionIsNoValue) {
 TEST_F(CommandLine, ANameAndItsValueAreOneWord) {
   const std::string scene = write("scene.yaml", scene_text()), begin = "a name and its value are one word with '=' ";
   const std::string set = "--set: " + begin + "between them: write --set ";
-  EXPECT_EQ(call({"run", scene, "--set", "frame.angle", "-0.7"}).err, set + "frame.angle=-0.7\n");
-  EXPECT_EQ(call({"run", scene, "--set", "grid.spacing", "0.1"}).err, set + "grid.spacing=0.1\n");
-  EXPECT_EQ(call({"run", scene, "--set", "grid.spacing", "=0.1"}).err, set + "grid.spacing=0.1\n");
-  EXPECT_EQ(call({"run", scene, "--set", "grid.spacing", "=", "0.1"}).err, set + "grid.spacing=...\n");
-  EXPECT_EQ(call({"run", scene, "--set", "grid.spacing=", "0.1"}).err, set + "grid.spacing=0.1\n");
-  EXPECT_EQ(call({"check", "neo_hookean", "--parameters", "E", "1e3"}).err,
+  EXPECT_EQ(call_verb({"run", scene, "--set", "frame.angle", "-0.7"}).err, set + "frame.angle=-0.7\n");
+  EXPECT_EQ(call_verb({"run", scene, "--set", "grid.spacing", "0.1"}).err, set + "grid.spacing=0.1\n");
+  EXPECT_EQ(call_verb({"run", scene, "--set", "grid.spacing", "=0.1"}).err, set + "grid.spacing=0.1\n");
+  EXPECT_EQ(call_verb({"run", scene, "--set", "grid.spacing", "=", "0.1"}).err, set + "grid.spacing=...\n");
+  EXPECT_EQ(call_verb({"run", scene, "--set", "grid.spacing=", "0.1"}).err, set + "grid.spacing=0.1\n");
+  EXPECT_EQ(call_verb({"check", "neo_hookean", "--parameters", "E", "1e3"}).err,
             "--parameters: " + begin + "between them: write --parameters E=1e3\n");
 }
 
 TEST_F(CommandLine, AnOptionWithAnotherDashIsNamed) {
   const std::string scene = write("scene.yaml", scene_text());
   for (const auto& [word, meant] : {std::pair{"\u2014set", "--set"}, {"\u2013set", "--set"}, {"\u2212o", "-o"}}) {
-    const std::string said = call({"run", scene, word, "grid.spacing=.1"}).err;
+    const std::string said = call_verb({"run", scene, word, "grid.spacing=.1"}).err;
     EXPECT_EQ(said.find(std::string("assay run: unknown option '") + word + "'"), 0u) << said;
     EXPECT_NE(said.find(std::string("(nearest: ") + meant + "), U+2"), std::string::npos) << said;
   }
-  const std::string before_the_scene = call({"run", "\u2014quiet", scene}).err;
+  const std::string before_the_scene = call_verb({"run", "\u2014quiet", scene}).err;
   EXPECT_EQ(before_the_scene.find("assay run: unknown option '\u2014quiet'"), 0u) << before_the_scene;
 }
 
@@ -217,11 +199,11 @@ TEST_F(CommandLine, ANameThatBeginsWithAHyphenStandsBehindTwo) {
   const ScratchFolder scratch;
   std::filesystem::current_path(scratch / "");
   scratch.write("-s.yaml", "motion: 1\n");
-  EXPECT_EQ(call({"run", "-s.yaml"}).err, "assay run: unknown option '-s.yaml'; the file is ./-s.yaml\n");
-  EXPECT_TRUE(call({"run", "--", "-s.yaml"}).err.starts_with("./-s.yaml:1:9: motion: "))
-      << call({"run", "--", "-s.yaml"}).err;
-  EXPECT_TRUE(call({"run", "-o", "out", "--", "-s.yaml"}).err.starts_with("./-s.yaml:1:9: motion: "));
-  EXPECT_TRUE(call({"check", "--", "-no.f"}).err.find("no such file: '") == 0u);
+  EXPECT_EQ(call_verb({"run", "-s.yaml"}).err, "assay run: unknown option '-s.yaml'; the file is ./-s.yaml\n");
+  EXPECT_TRUE(call_verb({"run", "--", "-s.yaml"}).err.starts_with("./-s.yaml:1:9: motion: "))
+      << call_verb({"run", "--", "-s.yaml"}).err;
+  EXPECT_TRUE(call_verb({"run", "-o", "out", "--", "-s.yaml"}).err.starts_with("./-s.yaml:1:9: motion: "));
+  EXPECT_TRUE(call_verb({"check", "--", "-no.f"}).err.find("no such file: '") == 0u);
   std::filesystem::current_path(before);
 }
 
@@ -243,23 +225,23 @@ TEST_F(CommandLine, SettingsReachTheReaderAsTheyStand) {
 }
 
 TEST_F(CommandLine, SchemaAndMaterialsPrintOnStandardOutput) {
-  const Outcome schema = call({"schema"});
+  const VerbOutcome schema = call_verb({"schema"});
   EXPECT_EQ(schema.status, 0);
   EXPECT_TRUE(schema.out.starts_with("{\n"));
   EXPECT_NE(schema.out.find("\"assay scene\""), std::string::npos);
-  EXPECT_NE(call({"schema", "--study"}).out.find("\"assay study\""), std::string::npos);
-  EXPECT_EQ(call({"materials", "neo_hookean", "--json"}).out.substr(0, 2), "{\n");
-  EXPECT_EQ(call({"materials", "--quiet"}).status, 0);
+  EXPECT_NE(call_verb({"schema", "--study"}).out.find("\"assay study\""), std::string::npos);
+  EXPECT_EQ(call_verb({"materials", "neo_hookean", "--json"}).out.substr(0, 2), "{\n");
+  EXPECT_EQ(call_verb({"materials", "--quiet"}).status, 0);
 }
 
 TEST_F(CommandLine, RegistersAndRemoves) {
-  EXPECT_EQ(call({"register", plugins + "frozen_1_0.so", "--as", "soft"}).status, 0);
-  EXPECT_EQ(call({"materials", "soft"}).status, 0);
-  EXPECT_EQ(call({"register", "--remove", "soft", "--quiet"}).status, 0);
-  EXPECT_EQ(call({"materials", "soft"}).status, 2);
+  EXPECT_EQ(call_verb({"register", plugins + "frozen_1_0.so", "--as", "soft"}).status, 0);
+  EXPECT_EQ(call_verb({"materials", "soft"}).status, 0);
+  EXPECT_EQ(call_verb({"register", "--remove", "soft", "--quiet"}).status, 0);
+  EXPECT_EQ(call_verb({"materials", "soft"}).status, 2);
   write("blocked", "");
   setenv("ASSAY_DATA_HOME", (folder / "blocked").c_str(), 1);
-  const Outcome blocked = call({"register", plugins + "frozen_1_0.so"});
+  const VerbOutcome blocked = call_verb({"register", plugins + "frozen_1_0.so"});
   EXPECT_EQ(blocked.status, 3);
   EXPECT_EQ(std::count(blocked.err.begin(), blocked.err.end(), '\n'), 1) << blocked.err;
 }
