@@ -178,7 +178,7 @@ class Search {
   std::vector<StateBlock> axes() const {
     const std::vector<StateBlock> all = candidates();
     for (const StateBlock& first : all) {
-      const std::vector<StateBlock> three{first, {first.first + 3, first.kind}, {first.first + 6, first.kind}};
+      std::vector<StateBlock> three{first, {first.first + 3, first.kind}, {first.first + 6, first.kind}};
       const auto is_candidate = [&](const StateBlock& block) { return std::ranges::count(all, block) > 0; };
       if (first.kind == Kind::vector && std::ranges::all_of(three, is_candidate) && fits(three)) return three;
     }

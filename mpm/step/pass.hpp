@@ -100,9 +100,9 @@ struct Pass : PassInfo {
 
 /// A kernel of a basis, over all blocks.
 template <int Dim>
-Kernel over_blocks(State<Dim>& s, BlockKernel<Dim> kernel, Kernel::End after = {}) {
+Kernel over_blocks(State<Dim>& s, BlockKernel<Dim> kernel, const Kernel::End& after = {}) {
   return Kernel::over_blocks([&s, kernel](const Instant& now, const Block& block) { return kernel(s, block, now); },
-                             std::move(after));
+                             after);
 }
 
 }  // namespace assay::mpm
