@@ -142,6 +142,7 @@ class PolarInstant final : public ExactInstant {
     for (std::size_t k = 0; k < xi_.size(); ++k) {
       const double R = points_.radius[k];
       response->at(xi_[k], tau, slope);
+      // where a ring widens, xi is R
       force_[k] = along_reference(g.value * profile_[k].h,  // (5)
                                   widens ? rings_[k].body_force(density_, R, tau, slope)
                                          : assay::body_force(profile_[k], g, density_, R, tau, slope));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/exact/response.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace assay {
@@ -24,19 +26,28 @@ std::optional<ClosedForm> ClosedForm::of(std::shared_ptr<const Material> materia
 }
 
 void ClosedForm::at(double xi, double t, double g, Tensor& tau, Tensor& dtau_dxi) const {
-  const double eps = xi * g;
   double values[9], slopes[9];
+  at({&xi, 1}, t, g, values, slopes);
+  for (int c = 0; c < 9; ++c) component(tau, c) = values[c], component(dtau_dxi, c) = slopes[c];
+}
+
+void ClosedForm::at(std::span<const double> xi, double t, double g, double* tau, double* dtau_dxi) const {
+  std::array<double, at_once> eps;
+  for (std::size_t i = 0; i < xi.size(); ++i) eps[i] = xi[i] * g;
+  const auto fails = [&](std::size_t first, std::size_t n) {
+    return (*form_)(baseline_, n, &eps[first], tau + 9 * first, dtau_dxi + 9 * first) == ASSAY_FAILED;
+  };
   const std::lock_guard lock(*one_at_a_time_);
-  if ((*form_)(baseline_, 1, &eps, values, slopes) == ASSAY_FAILED) {
-    throw MaterialFailure(with_reason("its closed form failed", *material_), xi, t);
+  if (fails(0, xi.size())) {
+    std::size_t bad = 0;
+    while (bad + 1 < xi.size() && !fails(bad, 1)) ++bad;
+    throw MaterialFailure(with_reason("its closed form failed", *material_), xi[bad], t);
   }
-  bool finite = true;
-  for (int c = 0; c < 9; ++c) {
-    component(tau, c) = values[c];
-    component(dtau_dxi, c) = g * slopes[c];
-    finite = finite && std::isfinite(values[c]) && std::isfinite(slopes[c]);
+  for (std::size_t i = 0; i < 9 * xi.size(); ++i) {
+    dtau_dxi[i] *= g;
+    if (std::isfinite(tau[i]) && std::isfinite(dtau_dxi[i])) continue;
+    throw MaterialFailure("its closed form is not finite", xi[i / 9], t);
   }
-  if (!finite) throw MaterialFailure("its closed form is not finite", xi, t);
 }
 
 namespace {
@@ -59,6 +70,16 @@ class FormAtTime final : public ResponseAtTime {
  public:
   FormAtTime(const ClosedForm& form, double t) : form_(form), t_(t), g_(form.amplitude(t)) {}
   void at(double xi, Tensor& tau, Tensor& dtau_dxi) const override { form_.at(xi, t_, g_, tau, dtau_dxi); }
+  void plane_tau(std::span<const double> xi, std::span<double> tau, const InPieces&) const override {
+    std::array<double, 9 * ClosedForm::at_once> values, slopes;
+    for (std::size_t first = 0; first < xi.size(); first += ClosedForm::at_once) {
+      const std::span some = xi.subspan(first, std::min(ClosedForm::at_once, xi.size() - first));
+      form_.at(some, t_, g_, values.data(), slopes.data());
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        for (const std::size_t c : {0, 1, 2, 3}) tau[c * xi.size() + first + i] = values[9 * i + c + c / 2];
+      }
+    }
+  }
 
  private:
   ClosedForm form_;

@@ -23,6 +23,12 @@ class ClosedForm {
   void at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const { at(xi, t, amplitude(t), tau, dtau_dxi); }
   /// g: the amplitude at t, for many points of one time.
   void at(double xi, double t, double g, Tensor& tau, Tensor& dtau_dxi) const;
+
+  static constexpr std::size_t at_once = 64;  ///< points of a call at most
+
+  /// At n <= at_once values of xi, with one call of the model: tau[9 * i + c] and (d tau / d xi)_t [Pa].
+  /// Throws MaterialFailure.
+  void at(std::span<const double> xi, double t, double g, double* tau, double* dtau_dxi) const;
   double amplitude(double t) const { return amplitude_(t); }
 
  private:

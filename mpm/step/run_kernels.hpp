@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Going over the particles block by block, on one thread or several.
 //
+//   passes of a step    weights   to_grid | grid_update | to_particles   gradient   stress
+//                       '---- group ----'    whole        '--------- group ---------'
+//   in a group          block 1: weights, to_grid; block 2: weights, to_grid; ...    what one leaves is still in cache
+//   its threads         tile 1 = blocks 1 .. n --> the grid
+//                       tile 2 = the next ones --> a copy --> added to the grid after tile 1
+//                       tile 3                 --> a copy --> after tile 2 ...
+//
 // What adds to the grid does it tile by tile: the first tile to the grid itself, the others to a copy each thread has,
 // which is added to the grid in the order of the tiles. So nothing depends on the number of threads.
 #pragma once
