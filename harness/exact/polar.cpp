@@ -116,6 +116,10 @@ class PolarInstant final : public ExactInstant {
             product(product(r, ring.B), transposed(q)),
             {sigma[0], sigma[1], sigma[2], sigma[3], ring.sigma[4]}};
   }
+  Point displacement(std::size_t p) const override {
+    const Point x = times_X(ring_[points_.ring[p]].x, p);
+    return {x[0] - X_[p], x[1] - Y_[p]};
+  }
   Point velocity(std::size_t p) const override { return times_X(ring_[points_.ring[p]].v, p); }
   Plane F_rate(std::size_t p) const override {
     return product(product(axes(p), ring_[points_.ring[p]].B_rate), transposed(first_axes(p)));

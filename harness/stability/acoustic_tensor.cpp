@@ -25,6 +25,16 @@ constexpr double flat = 1e-9;        ///< curvature, relative
 constexpr std::size_t pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 using Six = Eigen::Matrix<double, 6, 1>;
 
+/// Symmetric part of u v.
+Six symmetric_product(const Vector3& u, const Vector3& v) {
+  Six product;
+  for (int n = 0; n < 6; ++n) {
+    const auto J = static_cast<int>(pairs[n][0]), L = static_cast<int>(pairs[n][1]);
+    product(n) = 0.5 * (u(J) * v(L) + v(J) * u(L));
+  }
+  return product;
+}
+
 /// Symmetric part of A_iJkL (u_J v_L + v_J u_L) / 2: linear in the symmetric part of u v, six numbers to six.
 class Acoustic {
  public:
@@ -43,12 +53,8 @@ class Acoustic {
     }
   }
 
-  Tensor operator()(const Vector3& u, const Vector3& v) const {
-    Six product;
-    for (int n = 0; n < 6; ++n) {
-      const auto J = static_cast<int>(pairs[n][0]), L = static_cast<int>(pairs[n][1]);
-      product(n) = 0.5 * (u(J) * v(L) + v(J) * u(L));
-    }
+  Tensor operator()(const Vector3& u, const Vector3& v) const { return (*this)(symmetric_product(u, v)); }
+  Tensor operator()(const Six& product) const {
     const Six q = of_pairs_ * product;
     Tensor Q;
     Q << q(0), q(5), q(4), q(5), q(1), q(3), q(4), q(3), q(2);
@@ -82,12 +88,13 @@ Model model_at(const Acoustic& acoustic, const Vector3& N, double scale) {
   }
   f.slope = coupling.row(0).transpose();
   for (int a = 0; a < 2; ++a) {
-    for (int b = 0; b < 2; ++b) {
-      f.curvature(a, b) = 2 * m.dot(acoustic(f.tangent.col(a), f.tangent.col(b)) * m) - (a == b ? 2 * f.value : 0);
+    for (int b = a; b < 2; ++b) {
+      double curvature = 2 * m.dot(acoustic(f.tangent.col(a), f.tangent.col(b)) * m) - (a == b ? 2 * f.value : 0);
       for (int k = 1; k < 3; ++k) {
         const double gap = solver.eigenvalues()(k) - f.value;
-        if (gap > coincident * scale) f.curvature(a, b) -= 2 * coupling(k, a) * coupling(k, b) / gap;
+        if (gap > coincident * scale) curvature -= 2 * coupling(k, a) * coupling(k, b) / gap;
       }
+      f.curvature(a, b) = f.curvature(b, a) = curvature;
     }
   }
   return f;
@@ -124,14 +131,20 @@ AcousticExtreme refined(const Acoustic& acoustic, Vector3 N, double scale) {
   return {f.value, N};
 }
 
+struct Direction {
+  Vector3 N;
+  Six product;  ///< N N
+};
+
 /// Directions on the upper half sphere in a golden-angle spiral.
-const std::array<Vector3, directions>& spiral() {
-  static const std::array<Vector3, directions> found = [] {
-    std::array<Vector3, directions> points;
+const std::array<Direction, directions>& spiral() {
+  static const std::array<Direction, directions> found = [] {
+    std::array<Direction, directions> points;
     for (int k = 0; k < directions; ++k) {
       const double z = (k + 0.5) / directions, phi = k * std::numbers::pi * (3 - std::sqrt(5.0));
       const double r = std::sqrt(1 - z * z);
-      points[static_cast<std::size_t>(k)] = {r * std::cos(phi), r * std::sin(phi), z};
+      const Vector3 N{r * std::cos(phi), r * std::sin(phi), z};
+      points[static_cast<std::size_t>(k)] = {N, symmetric_product(N, N)};
     }
     return points;
   }();
@@ -148,16 +161,16 @@ AcousticExtreme smallest_acoustic_eigenvalue(const TangentModulus& given) {
   const Acoustic acoustic(modulus);
   std::vector<std::pair<double, int>> tried;
   for (int k = 0; k < directions; ++k) {
-    const Vector3& N = spiral()[static_cast<std::size_t>(k)];
     Eigen::SelfAdjointEigenSolver<Tensor> solver;
-    solver.computeDirect(acoustic(N, N), Eigen::EigenvaluesOnly);  // good enough to rank them
+    solver.computeDirect(acoustic(spiral()[static_cast<std::size_t>(k)].product),
+                         Eigen::EigenvaluesOnly);  // good enough to rank them
     tried.emplace_back(solver.eigenvalues()(0), k);
   }
   std::partial_sort(tried.begin(), tried.begin() + starts, tried.end());
   const double scale = modulus.cwiseAbs().maxCoeff();
   AcousticExtreme best{std::numeric_limits<double>::infinity(), Vector3::Zero()};
   for (std::size_t s = 0; s < starts; ++s) {
-    const AcousticExtreme found = refined(acoustic, spiral()[static_cast<std::size_t>(tried[s].second)], scale);
+    const AcousticExtreme found = refined(acoustic, spiral()[static_cast<std::size_t>(tried[s].second)].N, scale);
     if (found.value < best.value) best = found;
   }
   best.value *= unit;
