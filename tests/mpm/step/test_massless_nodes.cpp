@@ -8,7 +8,7 @@
 
 #include "tests/mpm/vortex_setup.hpp"
 
-namespace assay::mpm::test_passes_massless {
+namespace assay::mpm::test_massless_nodes {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -215,4 +215,4 @@ TEST(Massless, ArePassesOfTheLinearBasisAlone) {
 }
 
 }  // namespace
-}  // namespace assay::mpm::test_passes_massless
+}  // namespace assay::mpm::test_massless_nodes
