@@ -16,6 +16,7 @@
 #include "drivers/system/whole_file.hpp"
 #include "drivers/text/sha256.hpp"
 #include "harness/history/point_driver.hpp"
+#include "harness/numeric/largest.hpp"
 
 namespace assay::drivers {
 
@@ -49,7 +50,7 @@ std::string bytes_of(const Path& path, double end) {
     append(bytes, xi);
     for (const double t : times) {
       const Tensor F = path.deformation_gradient(xi, t);
-      for (int c = 0; c < 9; ++c) append(bytes, component(F, c));
+      for (const double component : nine_of(F)) append(bytes, component);
     }
   }
   for (const double t : times) append(bytes, t);
@@ -106,10 +107,7 @@ bool SheetCache::is_still_right(const Sheet& sheet) const {
     for (std::size_t p = 0; p < xi.size(); ++p) {
       Tensor tau, slope;
       sheet.at(xi[p], times[row], tau, slope);
-      for (int c = 0; c < 9; ++c) {
-        const double found = asked.tau[row][static_cast<std::size_t>(c) * xi.size() + p];
-        if (!(std::abs(found - component(tau, c)) <= most)) return false;
-      }
+      if (!(largest_of(tensor_at(asked.tau[row].data(), xi.size(), p) - tau) <= most)) return false;
     }
   }
   return true;

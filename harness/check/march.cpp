@@ -41,10 +41,8 @@ Tensor Space::equal_stretches(double amplitude, bool three, double difference) c
 
 Point stepped(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
               const std::vector<double>& state0) {
-  double sigma[9];
   Point end{Tensor::Zero(), std::vector<double>(state0.size())};
-  checked_update(material, 0, t, dt, 1, nine_of(F0).data(), nine_of(F1).data(), state0.data(), end.state.data(), sigma);
-  end.cauchy = tensor_of(sigma);
+  end.cauchy = checked_step(material, 0, t, dt, F0, F1, state0.data(), end.state.data());
   return end;
 }
 
@@ -87,13 +85,5 @@ std::vector<double> state_at_rest(const Material& material, double pressure, con
   for (const std::size_t c : {0u, 4u, 8u}) cauchy[c] = -pressure;
   return material.initial_state(1, cauchy, std::vector<double>{direction.x(), direction.y(), direction.z()});
 }
-
-std::array<double, 9> nine_of(const Tensor& A) {
-  std::array<double, 9> nine;
-  for (int c = 0; c < 9; ++c) nine[static_cast<std::size_t>(c)] = component(A, c);
-  return nine;
-}
-
-Tensor tensor_of(const double* nine) { return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(nine); }
 
 }  // namespace assay::check

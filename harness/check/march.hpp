@@ -112,8 +112,6 @@ std::vector<double> state_at_rest(const Material& material, double pressure,
                                   const Vector3& direction = Vector3::UnitX());
 
 /// As the ABI has a tensor, and back.
-std::array<double, 9> nine_of(const Tensor& A);
-Tensor tensor_of(const double* nine);
 
 /// The largest |component|, where none can be NaN.
 template <class M>

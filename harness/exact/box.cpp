@@ -22,9 +22,7 @@ constexpr std::array<double, 5> difference_places{-2, -1, 0, 1, 2};
 std::vector<Tensor> history_of(const Material& material, const Path& path, double xi, std::span<const double> times) {
   const Histories found = integrate_histories(material, path, std::array{xi}, times, {.tolerance = history_tolerance});
   std::vector<Tensor> tau(times.size());
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    for (int c = 0; c < 9; ++c) component(tau[k], c) = found.tau[k][static_cast<std::size_t>(c)];
-  }
+  for (std::size_t k = 0; k < times.size(); ++k) tau[k] = tensor_of(found.tau[k].data());
   return tau;
 }
 

@@ -28,7 +28,7 @@ std::optional<ClosedForm> ClosedForm::of(std::shared_ptr<const Material> materia
 void ClosedForm::at(double xi, double t, double g, Tensor& tau, Tensor& dtau_dxi) const {
   double values[9], slopes[9];
   at({&xi, 1}, t, g, values, slopes);
-  for (int c = 0; c < 9; ++c) component(tau, c) = values[c], component(dtau_dxi, c) = slopes[c];
+  tau = tensor_of(values), dtau_dxi = tensor_of(slopes);
 }
 
 void ClosedForm::at(std::span<const double> xi, double t, double g, double* tau, double* dtau_dxi) const {

@@ -53,14 +53,10 @@ class UniformStress {
   }
 
   Tensor by_update(double t) const {
-    const Tensor F = path_.deformation_gradient(own_, t), I = Tensor::Identity();
-    double F0[9], F1[9], values[9];
-    for (int c = 0; c < 9; ++c) F0[c] = component(I, c), F1[c] = component(F, c);
+    const Tensor F = path_.deformation_gradient(own_, t);
     std::vector<double> after(state_.size());
-    checked_update(*material_, own_, 0, t > 0 ? t : 1, 1, F0, F1, state_.data(), after.data(), values);
-    Tensor cauchy;
-    for (int c = 0; c < 9; ++c) component(cauchy, c) = values[c];
-    return first_piola_kirchhoff(cauchy, F);
+    return first_piola_kirchhoff(
+        checked_step(*material_, own_, 0, t > 0 ? t : 1, Tensor::Identity(), F, state_.data(), after.data()), F);
   }
 
   std::shared_ptr<const Material> material_;

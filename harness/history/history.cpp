@@ -65,11 +65,7 @@ void History::advance(double to) {
   }
 }
 
-Tensor History::cauchy() const {
-  Tensor sigma;
-  for (int c = 0; c < 9; ++c) component(sigma, c) = y_[static_cast<std::size_t>(c)];
-  return sigma;
-}
+Tensor History::cauchy() const { return tensor_of(y_.data()); }
 
 Tensor History::tau() const { return first_piola_kirchhoff(cauchy(), course_->path->deformation_gradient(xi_, t_)); }
 

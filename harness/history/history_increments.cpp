@@ -242,10 +242,9 @@ History::Increments::Variables History::Increments::increment(const Variables& y
 
 void History::Increments::increment(const Variables& y, Variables& end, double t, double dt, const Tensor& F0,
                                     const Tensor& F1) const {
-  double begin[9], after[9];
-  for (int c = 0; c < 9; ++c) begin[c] = component(F0, c), after[c] = component(F1, c);
   h_->count_call();
-  checked_update(*h_->course_->material, h_->xi_, t, dt, 1, begin, after, y.data() + 9, end.data() + 9, end.data());
+  checked_update(*h_->course_->material, h_->xi_, t, dt, 1, nine_of(F0).data(), nine_of(F1).data(), y.data() + 9,
+                 end.data() + 9, end.data());
 }
 
 }  // namespace assay

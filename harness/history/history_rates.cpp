@@ -69,13 +69,11 @@ void History::Rates::slope(const Vector& x, double t, Vector& x_rate) {
   const Tensor F = h_->course_->path->deformation_gradient(h_->xi_, t);
   const Tensor l =
       h_->course_->path->at(h_->xi_, std::clamp(t, piece_.lower + margin, piece_.upper - margin)).F_rate * F.inverse();
-  double F_components[9], l_components[9];
-  for (int c = 0; c < 9; ++c) F_components[c] = component(F, c), l_components[c] = component(l, c);
   const std::size_t n = scales_.size();
   for (std::size_t i = 0; i < n; ++i) physical_[i] = x[i] * scales_[i];
   const Offer<assay_rate> rate(material);
   h_->count_call();
-  const std::int32_t status = rate(t, 1, F_components, l_components, physical_.data(), physical_.data() + 9,
+  const std::int32_t status = rate(t, 1, nine_of(F).data(), nine_of(l).data(), physical_.data(), physical_.data() + 9,
                                    physical_rate_.data(), physical_rate_.data() + 9);
   x_rate.resize(x.size());
   bool finite = true;

@@ -39,8 +39,7 @@ std::uint64_t History::Increments::regime_of_increment(const Variables& y, const
                                                        const Tensor& F1) const {
   const Course& course = *h_->course_;
   if (course.telling == Telling::state) return course.regimes.of(y.data() + 9, end.data() + 9);
-  Tensor s;
-  for (int c = 0; c < 9; ++c) component(s, c) = end[static_cast<std::size_t>(c)];
+  Tensor s = tensor_of(end.data());
   s.diagonal().array() -= s.trace() / 3;
   const Tensor step = (F1 - F0) * F1.inverse();
   return s.cwiseProduct(step + step.transpose()).sum() > 0 ? 1 : 0;

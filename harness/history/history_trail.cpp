@@ -5,11 +5,7 @@
 
 namespace assay {
 
-Tensor HistoryTrail::cauchy(std::size_t k) const {
-  Tensor sigma;
-  for (int c = 0; c < 9; ++c) component(sigma, c) = rows[k * width + static_cast<std::size_t>(c)];
-  return sigma;
-}
+Tensor HistoryTrail::cauchy(std::size_t k) const { return tensor_of(&rows[k * width]); }
 
 HistoryTrail follow_here(const Course& course, double xi, const HistoryOptions& options,
                          std::span<const double> times) {

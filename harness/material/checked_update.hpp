@@ -19,4 +19,12 @@ inline void checked_update(const Material& material, double xi, double t, double
   throw failure;
 }
 
+/// The same of one point: its Cauchy stress [Pa].
+inline Tensor checked_step(const Material& material, double xi, double t, double dt, const Tensor& F0, const Tensor& F1,
+                           const double* state0, double* state1) {
+  std::array<double, 9> cauchy;
+  checked_update(material, xi, t, dt, 1, nine_of(F0).data(), nine_of(F1).data(), state0, state1, cauchy.data());
+  return tensor_of(cauchy.data());
+}
+
 }  // namespace assay

@@ -4,6 +4,9 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <array>
+#include <span>
+#include <vector>
 
 namespace assay {
 
@@ -13,6 +16,31 @@ using Tensor = Eigen::Matrix3d;
 /// Component of a tensor by the row-major index 0..8 of the ABI (11,12,13,21,22,23,31,32,33).
 inline double component(const Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
 inline double& component(Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
+
+/// The nine components in that order.
+inline std::array<double, 9> nine_of(const Tensor& A) {
+  std::array<double, 9> nine;
+  for (int c = 0; c < 9; ++c) nine[static_cast<std::size_t>(c)] = component(A, c);
+  return nine;
+}
+inline Tensor tensor_of(const double* nine) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(nine);
+}
+
+/// What point p of n has in an array of the ABI, which is component-major.
+inline void put_point(std::span<const double> values, double* array, std::size_t n, std::size_t p) {
+  for (std::size_t c = 0; c < values.size(); ++c) array[c * n + p] = values[c];
+}
+inline std::vector<double> point_of(const double* array, std::size_t n, std::size_t p, std::size_t components) {
+  std::vector<double> values(components);
+  for (std::size_t c = 0; c < components; ++c) values[c] = array[c * n + p];
+  return values;
+}
+inline Tensor tensor_at(const double* array, std::size_t n, std::size_t p) {
+  Tensor A;
+  for (int c = 0; c < 9; ++c) component(A, c) = array[static_cast<std::size_t>(c) * n + p];
+  return A;
+}
 
 /// Whether the index 0..8 is one of 11, 12, 21, 22 and 33, which a motion in the plane 12 has.
 inline bool is_in_plane(int index) { return index == 8 || (index / 3 != 2 && index % 3 != 2); }

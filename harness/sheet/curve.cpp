@@ -35,16 +35,10 @@ std::vector<double> tau_of_eps(const Material& material, const Path& loading, st
   const std::size_t n = eps.size();
   std::vector<double> all(9 * n);
   std::vector<double> state0 = material.initial_state(1, {}, loading.material_direction), state1(state0.size());
-  double F0[9], F1[9], cauchy[9];
-  for (int c = 0; c < 9; ++c) F0[c] = c % 4 == 0 ? 1 : 0;
   for (std::size_t p = 0; p < n; ++p) {
     const Tensor F = loading.deformation_gradient(eps[p], 1);
-    for (int c = 0; c < 9; ++c) F1[c] = component(F, c);
-    checked_update(material, eps[p], 0, 1, 1, F0, F1, state0.data(), state1.data(), cauchy);
-    Tensor sigma;
-    for (int c = 0; c < 9; ++c) component(sigma, c) = cauchy[c];
-    const Tensor tau = first_piola_kirchhoff(sigma, F);
-    for (std::size_t c = 0; c < 9; ++c) all[c * n + p] = component(tau, static_cast<int>(c));
+    const Tensor sigma = checked_step(material, eps[p], 0, 1, Tensor::Identity(), F, state0.data(), state1.data());
+    put_point(nine_of(first_piola_kirchhoff(sigma, F)), all.data(), n, p);
   }
   return all;
 }
@@ -91,14 +85,11 @@ Reference reference_of(const Material& material, const Path& loading) {
     for (int k = -central_reach; k <= central_reach; ++k) eps.push_back(reference.eps.back() + k * step);
   }
   const std::vector<double> tau = tau_of_eps(material, loading, eps);
-  const auto tau_at = [&](std::size_t p) {
-    Tensor value;
-    for (int c = 0; c < 9; ++c) component(value, c) = tau[static_cast<std::size_t>(c) * eps.size() + p];
-    return value;
-  };
   for (std::size_t i = 0; i < reference.eps.size(); ++i) {
     const auto middle = static_cast<int>(stencil * i) + central_reach;
-    const auto neighbour = [&](int k) { return tau_at(static_cast<std::size_t>(middle + k)); };
+    const auto neighbour = [&](int k) {
+      return tensor_at(tau.data(), eps.size(), static_cast<std::size_t>(middle + k));
+    };
     reference.tau.push_back(neighbour(0));
     reference.slope.push_back(step > 0 ? central_difference(neighbour, step) : Tensor(Tensor::Zero()));
     reference.tau_scale = larger(reference.tau_scale, largest_of(reference.tau.back()));

@@ -23,8 +23,7 @@ double own_wave_speed(const Material& material, const Offer<assay_wave_speed>& o
   double fastest = 0;
   for (std::size_t row = 0; row < h.times.size(); ++row) {
     for (std::size_t p = 0; p < n; ++p) {
-      const Tensor f = path.deformation_gradient(h.xi[p], h.times[row]);
-      for (int c = 0; c < 9; ++c) F[static_cast<std::size_t>(c) * n + p] = component(f, c);
+      put_point(nine_of(path.deformation_gradient(h.xi[p], h.times[row])), F.data(), n, p);
     }
     if (offer(density, n, F.data(), h.points[row].cauchy.data(), h.points[row].state.data(), speed.data()) ==
         ASSAY_FAILED) {
@@ -68,10 +67,7 @@ double probed_wave_speed(const Material& material, double density, double dt, co
   for (std::size_t row = 0; row < h.times.size(); ++row) {
     for (std::size_t p = 0; p < n; ++p) {
       steps[p].F0 = steps[p].F1 = path.deformation_gradient(h.xi[p], h.times[row]);
-      steps[p].state0.resize(material.state_size());
-      for (std::size_t c = 0; c < material.state_size(); ++c) {
-        steps[p].state0[c] = h.points[row].state[c * n + p];
-      }
+      steps[p].state0 = point_of(h.points[row].state.data(), n, p, material.state_size());
     }
     const std::vector<TangentModulus> moduli = moduli_of(material, h.times[row], dt, h.xi, steps);
     for (std::size_t p = 0; p < n; ++p) {
