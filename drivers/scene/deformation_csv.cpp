@@ -5,6 +5,7 @@
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
+#include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
 

@@ -9,8 +9,11 @@
 
 #include "drivers/format/yaml_reader.hpp"
 #include "drivers/scene/scene.hpp"
-#include "harness/motion/kinds/deformation_table.hpp"
 #include "harness/numeric/interpolant.hpp"
+
+namespace assay {
+class DeformationTable;
+}
 
 namespace assay::drivers {
 

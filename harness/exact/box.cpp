@@ -6,7 +6,7 @@
 #include <mutex>
 #include <numbers>
 
-#include "harness/exact/exact_fields.hpp"
+#include "harness/exact/box_stress.hpp"
 #include "harness/history/point_driver.hpp"
 #include "harness/numeric/cosine_rows.hpp"
 

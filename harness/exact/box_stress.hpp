@@ -13,18 +13,12 @@
 #include <span>
 #include <vector>
 
+#include "harness/exact/exact_fields.hpp"
 #include "harness/history/troop.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
 #include "harness/numeric/chebyshev.hpp"
 
 namespace assay {
-
-struct BoxOptions {
-  double tolerance = 1e-6;                      ///< of P, relative to the largest
-  double end = 1;                               ///< last time that is asked for [s]
-  std::array<double, 3> direction = {1, 0, 0};  ///< of the material, along the axes
-  int most_modes = 64;                          ///< in each direction
-};
 
 /// The coefficients at one time.
 class BoxSeries {

@@ -21,7 +21,6 @@
 #include <string>
 #include <vector>
 
-#include "harness/exact/box_stress.hpp"
 #include "harness/exact/reference_domain.hpp"
 #include "harness/exact/response.hpp"
 #include "harness/motion/frame.hpp"
@@ -29,6 +28,8 @@
 #include "harness/numeric/in_pieces.hpp"
 
 namespace assay {
+
+class AxisAligned;
 
 struct PlaneState {
   Point x{}, v{};                 ///< [m], [m/s]
@@ -158,6 +159,13 @@ ExactSolutionPtr exact_uniform(const Motion& motion, double density, std::functi
 /// MaterialFailure.
 ExactSolutionPtr exact_uniform(const Motion& motion, double density, std::shared_ptr<const Material> material,
                                const Path& path, double end, double tolerance);
+
+struct BoxOptions {
+  double tolerance = 1e-6;                      ///< of P, relative to the largest
+  double end = 1;                               ///< last time that is asked for [s]
+  std::array<double, 3> direction = {1, 0, 0};  ///< of the material, along the axes
+  int most_modes = 64;                          ///< in each direction
+};
 
 /// Of the motions in the unit box. Its series is made when an instant or its source is first asked for; single points
 /// have histories of their own.
