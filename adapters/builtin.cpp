@@ -21,17 +21,15 @@ const std::vector<const assay_material*>& builtin_tables() {
     for (const assay_material_entry_function entry : entries) {
       for (uint32_t i = 0; const assay_material* table = entry(ASSAY_ABI_MAJOR, i); ++i) all.push_back(table);
     }
-    std::sort(all.begin(), all.end(),
-              [](const auto* a, const auto* b) { return std::string_view(a->name) < std::string_view(b->name); });
+    std::ranges::sort(all, {}, [](const assay_material* table) { return std::string_view(table->name); });
     return all;
   }();
   return tables;
 }
 
 const assay_material* builtin_table(const std::string& name) {
-  const auto& all = builtin_tables();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const auto* table) { return name == table->name; });
-  return found == all.end() ? nullptr : *found;
+  const auto found = std::ranges::find(builtin_tables(), name, &assay_material::name);
+  return found == builtin_tables().end() ? nullptr : *found;
 }
 
 }  // namespace assay::adapters

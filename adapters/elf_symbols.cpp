@@ -7,24 +7,30 @@
 #include <bit>
 #include <cerrno>
 #include <cstddef>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "adapters/library.hpp"
 
 namespace assay::adapters {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 template <class T>
-bool read_at(std::ifstream& file, std::uint64_t offset, T& value) {
+bool read_at(std::ifstream& file, std::uint64_t offset, T& first, std::size_t count = 1) {
   file.clear();
   file.seekg(static_cast<std::streamoff>(offset));
-  return static_cast<bool>(file.read(reinterpret_cast<char*>(&value), sizeof value));
+  return static_cast<bool>(
+      file.read(reinterpret_cast<char*>(&first), static_cast<std::streamsize>(count * sizeof first)));
 }
 
 /// Whether every part that the loader would map lies in the file.
@@ -70,11 +76,7 @@ std::optional<std::vector<T>> items_at(std::ifstream& file, std::uint64_t size, 
                                        std::uint64_t count) {
   if (offset > size || count > (size - offset) / sizeof(T)) return std::nullopt;
   std::vector<T> items(count);
-  file.clear();
-  file.seekg(static_cast<std::streamoff>(offset));
-  if (!file.read(reinterpret_cast<char*>(items.data()), static_cast<std::streamsize>(count * sizeof(T)))) {
-    return std::nullopt;
-  }
+  if (count > 0 && !read_at(file, offset, items.front(), count)) return std::nullopt;
   return items;
 }
 
@@ -125,10 +127,107 @@ std::vector<std::string> symbols_of(const std::string& path, const Chosen& chose
   return names;
 }
 
+/// The libraries that one asks the loader for, and where it says they are: "A:B".
+struct Needs {
+  std::vector<std::string> libraries;
+  std::string rpath, runpath;
+};
+
+/// A file that is no library needs none: the loader complains.
+Needs needs_of(const std::string& library) try {
+  const auto [entries, strings] = section_of<Elf64_Dyn>(library, SHT_DYNAMIC);
+  Needs needs;
+  for (const Elf64_Dyn& entry : entries) {
+    const std::string text = text_at(strings, entry.d_un.d_val);
+    if (entry.d_tag == DT_NULL) break;
+    if (entry.d_tag == DT_NEEDED) needs.libraries.push_back(text);
+    if (entry.d_tag == DT_RPATH) needs.rpath = text;
+    if (entry.d_tag == DT_RUNPATH) needs.runpath = text;
+  }
+  return needs;
+} catch (const LibraryError&) {
+  return {};
+}
+
+using Folders = std::vector<std::string>;
+
+/// The folders of "A:B", $ORIGIN for that of the library; an empty one is where the process stands.
+Folders folders_in(const std::string& list, const std::string& origin) {
+  Folders folders;
+  std::istringstream parts(list);
+  for (std::string part; std::getline(parts, part, ':');) {
+    for (const std::string_view word : {"$ORIGIN", "${ORIGIN}"}) {
+      if (const auto at = part.find(word); at != part.npos) part.replace(at, word.size(), origin);
+    }
+    folders.push_back(part.empty() ? "." : part);
+  }
+  return folders;
+}
+
+bool is_of_system(const std::string& path) {
+  for (const char* folder : {"/lib/", "/lib64/", "/usr/lib/", "/usr/lib64/"}) {
+    if (path.starts_with(folder)) return true;
+  }
+  return false;
+}
+
+/// Those of the loader's own list.
+Folders configured_folders() {
+  std::error_code code;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator("/etc/ld.so.conf.d", code)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  files.emplace_back("/etc/ld.so.conf");
+  Folders folders;
+  for (const fs::path& each : files) {
+    std::ifstream file(each);
+    for (std::string line; std::getline(file, line);) {
+      if (line.starts_with("/")) folders.push_back(line);
+    }
+  }
+  return folders;
+}
+
+/// Empty: none of the folders has it.
+std::string file_in(const Folders& folders, const std::string& name) {
+  std::error_code code;
+  for (const std::string& folder : folders) {
+    const fs::path file = fs::absolute(fs::path(folder) / name).lexically_normal();
+    if (fs::is_regular_file(file, code)) return file.string();
+  }
+  return {};
+}
+
+class Search {
+ public:
+  /// `rpath`: of the libraries that ask for this one.
+  void visit(const std::string& library, Folders rpath) {
+    if (std::find(found.begin(), found.end(), library) != found.end()) return;
+    found.push_back(library);
+    const Needs needs = needs_of(library);
+    const std::string origin = fs::path(library).parent_path().string();
+    const char* given = std::getenv("LD_LIBRARY_PATH");
+    if (needs.runpath.empty()) append(rpath, folders_in(needs.rpath, origin));
+    Folders folders = needs.runpath.empty() ? rpath : Folders();
+    for (const Folders& more : {folders_in(given ? given : "", origin), folders_in(needs.runpath, origin), configured_})
+      append(folders, more);
+    for (const std::string& name : needs.libraries) {
+      const std::string file = file_in(name.find('/') == name.npos ? folders : Folders{"."}, name);
+      if (!file.empty() && !is_of_system(file)) visit(file, rpath);
+    }
+  }
+
+  std::vector<std::string> found;
+
+ private:
+  static void append(Folders& list, const Folders& more) { list.insert(list.end(), more.begin(), more.end()); }
+
+  Folders configured_ = configured_folders();
+};
+
 }  // namespace
 
 void check_shared_library(const std::string& path) {
-  namespace fs = std::filesystem;
   std::error_code code;
   const fs::file_status status = fs::status(path, code);
   if (!fs::exists(status)) throw LibraryError(no_such_library);
@@ -142,8 +241,7 @@ void check_shared_library(const std::string& path) {
   constexpr std::uint64_t until_machine = offsetof(Elf64_Ehdr, e_version);
   if (fs::file_size(path, code) >= until_machine) {
     Elf64_Ehdr beginning{};
-    file.clear(), file.seekg(0);
-    file.read(reinterpret_cast<char*>(&beginning), until_machine);
+    read_at(file, 0, reinterpret_cast<char&>(beginning), until_machine);
     refuse_other_machine(beginning);
   }
   if (header.e_ident[EI_CLASS] != ELFCLASS64) return;  // the loader says it well
@@ -168,17 +266,10 @@ std::vector<std::string> wanted_symbols(const std::string& path) {
   });
 }
 
-ElfNeeds elf_needs(const std::string& path) {
-  const auto [entries, strings] = section_of<Elf64_Dyn>(path, SHT_DYNAMIC);
-  ElfNeeds needs;
-  for (const Elf64_Dyn& entry : entries) {
-    const std::string text = text_at(strings, entry.d_un.d_val);
-    if (entry.d_tag == DT_NULL) break;
-    if (entry.d_tag == DT_NEEDED) needs.libraries.push_back(text);
-    if (entry.d_tag == DT_RPATH) needs.rpath = text;
-    if (entry.d_tag == DT_RUNPATH) needs.runpath = text;
-  }
-  return needs;
+std::vector<std::string> with_needed_libraries(const std::string& library) {
+  Search search;
+  search.visit(fs::absolute(library).string(), {});
+  return search.found;
 }
 
 }  // namespace assay::adapters

@@ -20,13 +20,9 @@ std::vector<std::string> own_symbols(const std::string& path);
 /// Those that it asks others for, and cannot do without. Throws LibraryError likewise.
 std::vector<std::string> wanted_symbols(const std::string& path);
 
-/// The libraries that it asks the loader for, and where it says they are: "A:B".
-struct ElfNeeds {
-  std::vector<std::string> libraries;
-  std::string rpath, runpath;
-};
-
-/// Throws LibraryError likewise.
-ElfNeeds elf_needs(const std::string& path);
+/// The library itself and the files of all that it needs, as the loader would find them: by the places that the
+/// libraries name (RUNPATH, RPATH), by LD_LIBRARY_PATH, and in the folders of /etc/ld.so.conf. The system's own, in
+/// /lib and /usr/lib, are left out, and what is not found. Nothing is loaded.
+std::vector<std::string> with_needed_libraries(const std::string& library);
 
 }  // namespace assay::adapters

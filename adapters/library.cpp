@@ -31,18 +31,10 @@ std::string loader_message(const std::string& path) {
 }
 
 int local_binding(const std::string& path) {
-#if defined(__has_feature)
-  constexpr bool sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  constexpr bool sanitized = true;
-#else
-  constexpr bool sanitized = false;
-#endif
-  if (sanitized) return RTLD_LOCAL;  // a sanitizer refuses libraries that are bound deeply
+  if (is_sanitized) return RTLD_LOCAL;  // a sanitizer refuses libraries that are bound deeply
   const std::vector<std::string> own = own_symbols(path);
   // only where it must be: such a library does not find our _exit() either, which stands before libc's
-  const bool twice = std::any_of(own.begin(), own.end(),
-                                 [](const std::string& name) { return dlsym(RTLD_DEFAULT, name.c_str()) != nullptr; });
+  const bool twice = std::ranges::any_of(own, [](const auto& name) { return dlsym(RTLD_DEFAULT, name.c_str()); });
   return twice ? RTLD_LOCAL | RTLD_DEEPBIND : RTLD_LOCAL;
 }
 

@@ -10,16 +10,32 @@
 
 namespace assay::adapters {
 
-/// Why a library cannot serve: what() is one sentence without the path, known() the models that it does hold.
-class LibraryError : public std::runtime_error {
+/// Why a model cannot serve: what() is one sentence, key() the key of its description to blame, empty where none is,
+/// and known() what that could say.
+class ModelRefused : public std::runtime_error {
  public:
-  explicit LibraryError(const std::string& what, std::string known = {})
-      : std::runtime_error(what), known_(std::move(known)) {}
+  ModelRefused(std::string key, const std::string& what, std::string known = {})
+      : std::runtime_error(what), key_(std::move(key)), known_(std::move(known)) {}
+  const std::string& key() const { return key_; }
   const std::string& known() const { return known_; }
 
  private:
-  std::string known_;
+  std::string key_, known_;
 };
+
+/// Why its library cannot: what() does not say the path, known() the models that it does hold.
+struct LibraryError : ModelRefused {
+  explicit LibraryError(const std::string& what, const std::string& known = {})
+      : ModelRefused("library", what, known) {}
+};
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool is_sanitized = true;
+#elif defined(__has_feature)
+inline constexpr bool is_sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+inline constexpr bool is_sanitized = false;
+#endif
 
 /// What is said of one that does not exist.
 inline constexpr const char* no_such_library = "no such library";

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <algorithm>
-#include <memory>
 
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/foreign_table.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/foreign/foreign_state.hpp"
 
-#include <algorithm>
 #include <charconv>
 
 #include "adapters/foreign/host_values.hpp"

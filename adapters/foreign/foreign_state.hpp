@@ -3,9 +3,11 @@
 // interfaces, and the factors of their shear components.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numbers>
+#include <string>
 
 #include "adapters/foreign/foreign_table.hpp"
 #include "harness/numeric/tensor.hpp"
@@ -48,12 +50,6 @@ inline void write_tensor(const Tensor& A, const std::array<Pair, 9>& order, doub
   for (std::size_t k = 0; k < 9; ++k) out[k * stride] = A(order[k][0], order[k][1]);
 }
 
-inline Tensor read_tensor(const double* in, const std::array<Pair, 9>& order, std::size_t stride = 1) {
-  Tensor A;
-  for (std::size_t k = 0; k < 9; ++k) A(order[k][0], order[k][1]) = in[k * stride];
-  return A;
-}
-
 /// Of point p among n: [component][point].
 inline Tensor tensor_at(const double* nine, std::size_t n, std::size_t p) {
   Tensor A;
@@ -67,6 +63,13 @@ std::string listed_names(const List& list) {
   std::string names;
   for (const auto& each : list) names += (names.empty() ? "" : ", ") + each.name;
   return names;
+}
+
+/// Whether one of them has that name.
+template <class List>
+bool has_name(const List& list, const std::string& name) {
+  return std::ranges::find(
+             list, name, [](const auto& each) -> const auto& { return each.name; }) != list.end();
 }
 
 /// How an interface keeps symmetric tensors.

@@ -3,7 +3,7 @@
 
 #include <dlfcn.h>
 
-#include <algorithm>
+#include <cstring>
 
 #include "adapters/elf_symbols.hpp"
 #include "adapters/foreign/foreign_calls.hpp"
@@ -12,7 +12,6 @@
 #include "adapters/foreign/mfront.hpp"
 #include "adapters/foreign/umat.hpp"
 #include "adapters/foreign/vumat.hpp"
-#include "harness/material/material.hpp"
 
 namespace assay::adapters {
 
@@ -83,16 +82,14 @@ void write_lists(ForeignTable& table, const std::vector<ForeignVariable>& state)
 std::string candidates(const std::string& path, const std::string& word) {
   std::string names;
   for (const std::string& symbol : exported_symbols(path)) {
-    std::string lower = symbol;
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (lower.find(word) != std::string::npos) names += (names.empty() ? "" : ", ") + symbol;
+    if (::strcasestr(symbol.c_str(), word.c_str())) names += (names.empty() ? "" : ", ") + symbol;
   }
   return names;
 }
 
 void* entry_of(const ForeignTable& table, const std::string& word) {
   if (void* entry = dlsym(table.library, table.model.symbol.c_str())) return entry;
-  throw ForeignError("symbol", "'" + table.model.library + "' has no symbol '" + table.model.symbol + "'",
+  throw ModelRefused("symbol", "'" + table.model.library + "' has no symbol '" + table.model.symbol + "'",
                      candidates(table.model.library, word));
 }
 
@@ -124,7 +121,7 @@ std::vector<ForeignVariable> bind_interface(ForeignTable& table) {
 void require_sound(const ForeignTable& table) {
   const bool library_says = table.model.interface == ForeignInterface::mfront;
   const auto require = [&](const char* key, const std::optional<std::string>& defect) {
-    if (defect) throw ForeignError(library_says ? "library" : key, "cannot serve: " + *defect);
+    if (defect) throw ModelRefused(library_says ? "library" : key, "cannot serve: " + *defect);
   };
   require("properties", defect_of_parameters(table));
   require("state", defect_of_state(table));

@@ -130,4 +130,22 @@ class BeyondProbe {
   std::vector<double> words_;  ///< in place of the fences' own while it looks
 };
 
+/// What the bridges of Abaqus' interfaces have in common.
+class AbaqusBridge {
+ public:
+  const HostValues& host_values() const { return host_; }
+  Surroundings& surroundings() { return surroundings_; }
+
+ protected:
+  AbaqusBridge(const ForeignTable& table, const double* properties)
+      : table_(table), properties_(properties, properties + table.model.properties.size()) {}
+
+  const ForeignTable& table_;
+  const ForeignModel& model_ = table_.model;
+  std::vector<double> properties_;
+  HostValues host_ = host_values_of(model_);
+  Surroundings surroundings_;
+  BeyondProbe probe_;
+};
+
 }  // namespace assay::adapters

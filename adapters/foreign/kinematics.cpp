@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/foreign/kinematics.hpp"
 
-#include <utility>
-
 #include "adapters/models/tensor_functions.hpp"
 
 namespace assay::adapters {
@@ -17,14 +15,13 @@ Tensor left_strain(const Tensor& f) { return 0.5 * models::logarithm(Tensor(f * 
 /// (A1 - A0) ((A0 + A1) / 2)^-1.
 Tensor midpoint_rate(const Tensor& A0, const Tensor& A1) { return 2 * (A1 - A0) * (A0 + A1).inverse(); }
 
-/// d f(s) / ds at s = 0 by central differences of fourth order, good to 1e-11 of smooth kinematics; f a pair of
-/// tensors.
+/// d f(s) / ds at s = 0 by central differences of fourth order, good to 1e-11 of smooth kinematics.
 template <class F>
-std::pair<Tensor, Tensor> slope(const F& f) {
+StepStrain slope(const F& f) {
   constexpr double h = 1e-4;
-  const auto a = f(h), b = f(-h), c = f(2 * h), d = f(-2 * h);
-  return {(8 * (a.first - b.first) - (c.first - d.first)) / (12 * h),
-          (8 * (a.second - b.second) - (c.second - d.second)) / (12 * h)};
+  const StepStrain a = f(h), b = f(-h), c = f(2 * h), d = f(-2 * h);
+  return {(8 * (a.strain - b.strain) - (c.strain - d.strain)) / (12 * h),
+          (8 * (a.rotation - b.rotation) - (c.rotation - d.rotation)) / (12 * h)};
 }
 
 }  // namespace
@@ -58,32 +55,26 @@ CorotationalStep corotational_step(const Tensor& F0, const Tensor& F1, Kinematic
   return step;
 }
 
-LogarithmicStrain logarithmic_strain_of(const Tensor& F) {
+StepStrain logarithmic_strain_of(const Tensor& F) {
   return {0.5 * models::logarithm(Tensor(F.transpose() * F)), models::rotation_of(F)};
 }
 
-LogarithmicStrain rate_of_logarithmic_strain(const Tensor& F, const Tensor& E) {
-  const auto [strain, R] = slope([&](double by) {
-    const LogarithmicStrain at = logarithmic_strain_of(F + by * E);
-    return std::pair(at.strain, at.R);
-  });
-  return {strain, R};
+StepStrain rate_of_logarithmic_strain(const Tensor& F, const Tensor& E) {
+  return slope([&](double by) { return logarithmic_strain_of(F + by * E); });
 }
 
 StepStrain rate_of_step(const Tensor& F0, const Tensor& F1, const Tensor& E, Kinematics kinematics) {
-  const auto [strain, rotation] = slope([&](double by) {
+  return slope([&](double by) -> StepStrain {
     const StepStrain at = step_strain(F0, F1 + by * E, kinematics);
-    return std::pair(Tensor(at.rotation.transpose() * at.strain * at.rotation), at.rotation);
+    return {at.rotation.transpose() * at.strain * at.rotation, at.rotation};
   });
-  return {strain, rotation};
 }
 
 StepStrain rate_of_corotational_step(const Tensor& F0, const Tensor& F1, const Tensor& E, Kinematics kinematics) {
-  const auto [strain, rotation] = slope([&](double by) {
+  return slope([&](double by) -> StepStrain {
     const CorotationalStep at = corotational_step(F0, F1 + by * E, kinematics);
-    return std::pair(at.strain, at.R1);
+    return {at.strain, at.R1};
   });
-  return {strain, rotation};
 }
 
 }  // namespace assay::adapters

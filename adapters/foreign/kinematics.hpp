@@ -28,13 +28,10 @@ struct CorotationalStep {
 CorotationalStep corotational_step(const Tensor& F0, const Tensor& F1, Kinematics kinematics);
 
 /// ln U of F = R U, and R.
-struct LogarithmicStrain {
-  Tensor strain, R;
-};
-LogarithmicStrain logarithmic_strain_of(const Tensor& F);
+StepStrain logarithmic_strain_of(const Tensor& F);
 
 /// Their rates along dF/dt = E.
-LogarithmicStrain rate_of_logarithmic_strain(const Tensor& F, const Tensor& E);
+StepStrain rate_of_logarithmic_strain(const Tensor& F, const Tensor& E);
 
 /// Rates along dF1/dt = E of the strain of a step in the axes of its beginning, and of its rotation.
 StepStrain rate_of_step(const Tensor& F0, const Tensor& F1, const Tensor& E, Kinematics kinematics);

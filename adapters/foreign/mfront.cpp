@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/foreign/mfront.hpp"
 
-#include <dlfcn.h>
-
 #include <algorithm>
-#include <cmath>
 
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/kinematics.hpp"
@@ -94,13 +91,12 @@ MfrontState Mfront::pointers(const Arrays& a) {
 /// The library keeps parameters for itself, one set for all instances.
 void Mfront::set_parameters() {
   if (behaviour_.parameters.empty() || table_.last_set == given_) return;
-  void* set = dlsym(table_.library, (behaviour_.name + "_" + behaviour_.hypothesis + "_setParameter").c_str());
-  if (!set) set = dlsym(table_.library, (behaviour_.name + "_setParameter").c_str());
   const double* values = given_.data() + properties_of(behaviour_);
   for (std::size_t k = 0; k < behaviour_.parameters.size(); ++k) {
     const auto& parameter = behaviour_.parameters[k];
-    if (set) {
-      const int taken = reinterpret_cast<MfrontSetParameter>(set)(parameter.name.c_str(), values[k]);
+    if (behaviour_.set_parameter) {
+      const int taken =
+          reinterpret_cast<MfrontSetParameter>(behaviour_.set_parameter)(parameter.name.c_str(), values[k]);
       if (taken == 0) throw PointFailure("the library does not take its own parameter '" + parameter.name + "'");
     } else if (values[k] != parameter.value) {
       throw PointFailure("the library has no function to set parameter '" + parameter.name + "'");
@@ -122,8 +118,8 @@ void Mfront::hand_over(const PointStep& step, double request) {
     write_tensor(step.F0, mfront_tensor_order, arrays_[begin_.gradients]);
     write_tensor(step.F1, mfront_tensor_order, arrays_[end_.gradients]);
   } else {
-    const LogarithmicStrain now = logarithmic_strain_of(step.F1);
-    R1_ = now.R;
+    const StepStrain now = logarithmic_strain_of(step.F1);
+    R1_ = now.rotation;
     write_symmetric(logarithmic_strain_of(step.F0).strain, standard_order, mfront_shear, arrays_[begin_.gradients]);
     write_symmetric(now.strain, standard_order, mfront_shear, arrays_[end_.gradients]);
   }
@@ -211,9 +207,9 @@ void Mfront::tangent(const PointStep& step, double* tangent) {
       write_tensor(E, mfront_tensor_order, gradient);
       d = rate_of_force(gradient);
     } else {
-      const LogarithmicStrain rate = rate_of_logarithmic_strain(step.F1, E);
+      const StepStrain rate = rate_of_logarithmic_strain(step.F1, E);
       write_symmetric(rate.strain, standard_order, mfront_shear, gradient);
-      const Tensor w = rate.R * R1_.transpose(), sigma = R1_ * T * R1_.transpose();
+      const Tensor w = rate.rotation * R1_.transpose(), sigma = R1_ * T * R1_.transpose();
       const double volume = (E * step.F1.inverse()).trace();
       d = (R1_ * rate_of_force(gradient) * R1_.transpose() + w * sigma - sigma * w - volume * sigma) /
           step.F1.determinant();

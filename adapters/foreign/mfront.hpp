@@ -39,7 +39,7 @@ using MfrontEntry = int (*)(MfrontData*);
 /// 0: not taken.
 using MfrontSetParameter = int (*)(const char* name, double value);
 
-/// Throws ForeignError.
+/// Throws ModelRefused.
 ForeignVariable::Kind mfront_kind(const MfrontVariable& variable);
 
 class Mfront {

@@ -21,25 +21,26 @@ ForeignVariable::Kind mfront_kind(const MfrontVariable& variable) {
     case 3:
       return Kind::tensor;
     default:
-      throw ForeignError(
+      throw ModelRefused(
           "library", "its variable '" + variable.name + "' is of an unknown kind, " + std::to_string(variable.type));
   }
 }
 
 namespace {
 
+bool is_scalar(const MfrontVariable& variable) { return mfront_kind(variable) == Kind::scalar; }
+
 /// Of a description: the initial values of a variable that the metadata names.
 void take_initial(const ForeignVariable& given, ForeignModel& model) {
-  const auto own =
-      std::find_if(model.state.begin(), model.state.end(), [&](const auto& v) { return v.name == given.name; });
+  const auto own = std::ranges::find(model.state, given.name, &ForeignVariable::name);
   const std::string names = listed_names(model.state);
   const std::string key = "state." + given.name;
   if (own == model.state.end()) {
-    throw ForeignError(key, "the behaviour has no such state variable", names.empty() ? "none" : names);
+    throw ModelRefused(key, "the behaviour has no such state variable", names.empty() ? "none" : names);
   }
   const auto size = static_cast<std::size_t>(components_of(own->kind));
   if (given.initial.size() > 1 && given.initial.size() != size) {
-    throw ForeignError(key,
+    throw ModelRefused(key,
                        "has " + std::to_string(size) + " components, found " + std::to_string(given.initial.size()));
   }
   own->initial = given.initial;
@@ -48,14 +49,11 @@ void take_initial(const ForeignVariable& given, ForeignModel& model) {
 /// Of a description: the names that its fields may have.
 void require_fields(const MfrontBehaviour& behaviour, const ForeignModel& model) {
   std::vector<MfrontVariable> scalars;
-  std::copy_if(behaviour.external.begin(), behaviour.external.end(), std::back_inserter(scalars),
-               [](const MfrontVariable& variable) { return mfront_kind(variable) == Kind::scalar; });
+  std::ranges::copy_if(behaviour.external, std::back_inserter(scalars), is_scalar);
   const std::string names = listed_names(scalars);
   for (const ForeignField& field : model.fields) {
-    const bool known = std::any_of(behaviour.external.begin(), behaviour.external.end(),
-                                   [&](const auto& variable) { return variable.name == field.name; });
-    if (known) continue;
-    throw ForeignError("fields." + field.name, "the behaviour has no such external state variable",
+    if (has_name(behaviour.external, field.name)) continue;
+    throw ModelRefused("fields." + field.name, "the behaviour has no such external state variable",
                        names.empty() ? "none" : names);
   }
 }
@@ -71,7 +69,7 @@ void Mfront::describe(const MfrontBehaviour& behaviour, ForeignModel& model) {
   const auto add = [&](const std::string& name, const char* doc, double value, double lower = -INFINITY,
                        double upper = INFINITY) {
     ForeignProperty property{name, "", doc, value, lower, upper};
-    const auto own = std::find_if(said.begin(), said.end(), [&](const auto& p) { return p.name == name; });
+    const auto own = std::ranges::find(said, name, &ForeignProperty::name);
     if (own != said.end()) {  // what the description says goes before
       if (std::isfinite(own->value)) property.value = own->value;
       if (std::isfinite(own->lower)) property.lower = own->lower;
@@ -89,23 +87,19 @@ void Mfront::describe(const MfrontBehaviour& behaviour, ForeignModel& model) {
   const std::string temperature = "Temperature";
   if (behaviour.temperature) add(temperature, "external state variable", model.temperature);
   for (const MfrontVariable& variable : behaviour.external) {
-    if (mfront_kind(variable) != Kind::scalar) continue;
-    const auto field =
-        std::find_if(model.fields.begin(), model.fields.end(), [&](const auto& f) { return f.name == variable.name; });
+    if (!is_scalar(variable)) continue;
+    const auto field = std::ranges::find(model.fields, variable.name, &ForeignField::name);
     const bool is_given = field != model.fields.end(), is_temperature = variable.name == temperature;
     if (is_given && is_temperature && model.temperature_is_said)
-      throw ForeignError("fields." + variable.name, "`temperature` says it too: write one of the two");
+      throw ModelRefused("fields." + variable.name, "`temperature` says it too: write one of the two");
     add(variable.name, "external state variable", is_given ? field->value : is_temperature ? model.temperature : 0);
   }
-  const auto takes_temperature = [&](const ForeignProperty& p) { return p.name == temperature; };
-  if (model.temperature_is_said && std::none_of(model.properties.begin(), model.properties.end(), takes_temperature))
-    throw ForeignError("temperature", "behaviour '" + behaviour.name + "' takes no temperature");
+  if (model.temperature_is_said && !has_name(model.properties, temperature))
+    throw ModelRefused("temperature", "behaviour '" + behaviour.name + "' takes no temperature");
   require_fields(behaviour, model);
   for (const ForeignProperty& property : said) {
-    const bool known = std::any_of(model.properties.begin(), model.properties.end(),
-                                   [&](const auto& p) { return p.name == property.name; });
-    if (known) continue;
-    throw ForeignError("properties." + property.name, "behaviour '" + behaviour.name + "' has no such property",
+    if (has_name(model.properties, property.name)) continue;
+    throw ModelRefused("properties." + property.name, "behaviour '" + behaviour.name + "' has no such property",
                        listed_names(model.properties));
   }
   const std::vector<ForeignVariable> given = std::move(model.state);

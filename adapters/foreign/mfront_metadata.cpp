@@ -34,26 +34,31 @@ class Symbols {
     return dlsym(library_, (behaviour_ + "_" + what).c_str());
   }
 
-  std::optional<unsigned> number(const std::string& what) const {
+  /// The value of a symbol; nothing where there is none.
+  template <class T>
+  std::optional<T> value(const std::string& what) const {
     const void* found = find(what);
-    return found ? std::optional<unsigned>(*static_cast<const unsigned short*>(found)) : std::nullopt;
+    return found ? std::optional<T>(*static_cast<const T*>(found)) : std::nullopt;
+  }
+
+  unsigned number(const std::string& what, unsigned otherwise = 0) const {
+    return value<unsigned short>(what).value_or(otherwise);
   }
 
   std::string text(const std::string& what) const {
-    const void* found = find(what);
-    const char* words = found ? *static_cast<const char* const*>(found) : nullptr;
+    const char* words = value<const char*>(what).value_or(nullptr);
     return words ? words : "";
   }
 
   /// nWHAT names, and their types where `types` names an array of them.
   std::vector<MfrontVariable> variables(const std::string& what, const std::string& types) const {
-    std::vector<MfrontVariable> list(number("n" + what).value_or(0));
+    std::vector<MfrontVariable> list(number("n" + what));
     const auto* names =
         static_cast<const char* const*>(list.empty() ? nullptr : array(what, list.size() * sizeof(char*)));
     const auto* kinds =
         static_cast<const int*>(list.empty() || types.empty() ? nullptr : array(types, list.size() * sizeof(int)));
     for (std::size_t k = 0; k < list.size(); ++k) {
-      if (!names || !names[k]) throw ForeignError("library", "its symbol for " + what + " is missing");
+      if (!names || !names[k]) throw ModelRefused("library", "its symbol for " + what + " is missing");
       list[k].name = names[k];
       list[k].type = kinds ? kinds[k] : 0;
     }
@@ -65,13 +70,8 @@ class Symbols {
     const void* found = find(what);
     const std::size_t size = found ? size_of_symbol(found) : 0;
     if (size != 0 && size < bytes)
-      throw ForeignError("library", "its symbol for " + what + " is shorter than its count");
+      throw ModelRefused("library", "its symbol for " + what + " is shorter than its count");
     return found;
-  }
-
-  std::optional<double> real(const std::string& what) const {
-    const void* found = find(what);
-    return found ? std::optional<double>(*static_cast<const double*>(found)) : std::nullopt;
   }
 
  private:
@@ -81,45 +81,36 @@ class Symbols {
 
 /// Constants that come before the listed properties although they are not listed.
 std::vector<std::string> prepended(const Symbols& symbols, bool orthotropic) {
-  std::vector<std::string> names;
-  const auto add = [&](std::initializer_list<const char*> more) {
-    names.insert(names.end(), more.begin(), more.end());
-  };
-  if (symbols.number("requiresStiffnessTensor").value_or(0)) {
-    if (symbols.number("ElasticSymmetryType").value_or(0) == 0) {
-      add({"YoungModulus", "PoissonRatio"});
-    } else {
-      add({"YoungModulus1", "YoungModulus2", "YoungModulus3", "PoissonRatio12", "PoissonRatio23", "PoissonRatio13",
-           "ShearModulus12", "ShearModulus23", "ShearModulus13"});
-    }
-  }
-  if (symbols.number("requiresThermalExpansionCoefficientTensor").value_or(0)) {
-    if (orthotropic) {
-      add({"ThermalExpansion1", "ThermalExpansion2", "ThermalExpansion3"});
-    } else {
-      add({"ThermalExpansion"});
-    }
-  }
+  using Names = std::vector<std::string>;
+  Names names, expansions;
+  if (symbols.number("requiresStiffnessTensor") != 0)
+    names = symbols.number("ElasticSymmetryType") == 0
+                ? Names{"YoungModulus", "PoissonRatio"}
+                : Names{"YoungModulus1",  "YoungModulus2",  "YoungModulus3",  "PoissonRatio12", "PoissonRatio23",
+                        "PoissonRatio13", "ShearModulus12", "ShearModulus23", "ShearModulus13"};
+  if (symbols.number("requiresThermalExpansionCoefficientTensor") != 0)
+    expansions =
+        orthotropic ? Names{"ThermalExpansion1", "ThermalExpansion2", "ThermalExpansion3"} : Names{"ThermalExpansion"};
+  names.insert(names.end(), expansions.begin(), expansions.end());
   return names;
 }
 
 void require_served(const Symbols& symbols, MfrontBehaviour& behaviour) {
   const std::string interface = symbols.text("mfront_interface");
   if (interface != "Generic") {
-    throw ForeignError("symbol", "behaviour '" + behaviour.name + "' was made for MFront's interface '" + interface +
+    throw ModelRefused("symbol", "behaviour '" + behaviour.name + "' was made for MFront's interface '" + interface +
                                      "', not for the generic one");
   }
-  const unsigned version = symbols.number("api_version").value_or(0);
+  const unsigned version = symbols.number("api_version");
   if (version != 1) {
-    throw ForeignError("library", "its generic interface has api_version " + std::to_string(version) +
+    throw ModelRefused("library", "its generic interface has api_version " + std::to_string(version) +
                                       ", and 1 is served, which TFEL 3.4.1 and later ones generate");
   }
   constexpr unsigned small_strain_type = 1, finite_strain_type = 2, small_kinematic = 1, cauchy_kinematic = 3;
-  const unsigned type = symbols.number("BehaviourType").value_or(0),
-                 kinematic = symbols.number("BehaviourKinematic").value_or(0);
+  const unsigned type = symbols.number("BehaviourType"), kinematic = symbols.number("BehaviourKinematic");
   behaviour.finite_strain = type == finite_strain_type && kinematic == cauchy_kinematic;
   if (!behaviour.finite_strain && !(type == small_strain_type && kinematic == small_kinematic)) {
-    throw ForeignError("symbol", "behaviour '" + behaviour.name + "' is of type " + std::to_string(type) +
+    throw ModelRefused("symbol", "behaviour '" + behaviour.name + "' is of type " + std::to_string(type) +
                                      " and kinematic " + std::to_string(kinematic) +
                                      ": small strains and F with Cauchy's stress are served");
   }
@@ -130,7 +121,7 @@ void require_consistent(const Symbols& symbols, const MfrontBehaviour& behaviour
   const auto require_one = [&](const char* what, int type) {
     const std::vector<MfrontVariable> list = symbols.variables(what, what + std::string("Types"));
     if (list.size() == 1 && list[0].type == type) return;
-    throw ForeignError("library", "its symbols for " + std::string(what) + " contradict its type: " +
+    throw ModelRefused("library", "its symbols for " + std::string(what) + " contradict its type: " +
                                       (list.size() == 1 ? "a variable of kind " + std::to_string(list[0].type)
                                                         : std::to_string(list.size()) + " variables") +
                                       ", not one of kind " + std::to_string(type));
@@ -139,9 +130,8 @@ void require_consistent(const Symbols& symbols, const MfrontBehaviour& behaviour
   require_one("Gradients", behaviour.finite_strain ? tensor : symmetric_tensor);
   require_one("ThermodynamicForces", symmetric_tensor);
   const std::vector<MfrontVariable> hypotheses = symbols.variables("ModellingHypotheses", "");
-  const auto is_ours = [](const MfrontVariable& each) { return each.name == hypothesis; };
-  if (std::any_of(hypotheses.begin(), hypotheses.end(), is_ours)) return;
-  throw ForeignError("symbol",
+  if (has_name(hypotheses, hypothesis)) return;
+  throw ModelRefused("symbol",
                      "behaviour '" + behaviour.name + "' does not name the hypothesis " + hypothesis + " among its own",
                      hypotheses.empty() ? "none" : listed_names(hypotheses));
 }
@@ -155,19 +145,19 @@ std::string symbol_word(std::string name) {
 
 /// Of a property; infinite where nothing is said.
 MfrontVariable with_bounds(const Symbols& symbols, MfrontVariable variable) {
-  const auto bound = [&](const char* which, double& out) {
-    const void* found = symbols.find(symbol_word(variable.name) + which);
-    if (found) out = static_cast<double>(*static_cast<const long double*>(found));
+  const auto bound = [&](const char* which, double otherwise) {
+    const auto said = symbols.value<long double>(symbol_word(variable.name) + which);
+    return said ? static_cast<double>(*said) : otherwise;
   };
-  bound("_LowerPhysicalBound", variable.lower);
-  bound("_UpperPhysicalBound", variable.upper);
+  variable.lower = bound("_LowerPhysicalBound", variable.lower);
+  variable.upper = bound("_UpperPhysicalBound", variable.upper);
   return variable;
 }
 
 void read_parameters(const Symbols& symbols, MfrontBehaviour& behaviour) {
   constexpr int real_number = 0;
   for (const MfrontVariable& parameter : symbols.variables("Parameters", "ParametersTypes")) {
-    const auto value = symbols.real(symbol_word(parameter.name) + "_ParameterDefaultValue");
+    const auto value = symbols.value<double>(symbol_word(parameter.name) + "_ParameterDefaultValue");
     if (parameter.type == real_number && value) behaviour.parameters.push_back({parameter.name, *value});
   }
 }
@@ -182,8 +172,7 @@ std::vector<std::string> mfront_behaviours(const std::string& path) {
   }
   // of a behaviour that says it for each hypothesis too
   std::erase_if(names, [&](const std::string& name) {
-    return std::any_of(names.begin(), names.end(),
-                       [&](const std::string& other) { return name == other + "_" + hypothesis; });
+    return std::ranges::any_of(names, [&](const auto& other) { return name == other + "_" + hypothesis; });
   });
   return names;
 }
@@ -191,22 +180,21 @@ std::vector<std::string> mfront_behaviours(const std::string& path) {
 MfrontBehaviour mfront_behaviour(void* library, const std::string& name, const std::vector<std::string>& known) {
   std::string list;
   for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
-    throw ForeignError("symbol", "the library has no behaviour '" + name + "'", list.empty() ? "none" : list);
-  }
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    throw ModelRefused("symbol", "the library has no behaviour '" + name + "'", list.empty() ? "none" : list);
   const Symbols symbols(library, name);
   MfrontBehaviour behaviour;
   behaviour.name = name;
-  behaviour.hypothesis = hypothesis;
+  behaviour.set_parameter = symbols.find("setParameter");
   behaviour.version = symbols.text("tfel_version");
   require_served(symbols, behaviour);
   behaviour.entry = dlsym(library, (name + "_" + hypothesis).c_str());
   if (!behaviour.entry) {
-    throw ForeignError("symbol", "behaviour '" + name + "' has no function for the hypothesis " + hypothesis);
+    throw ModelRefused("symbol", "behaviour '" + name + "' has no function for the hypothesis " + hypothesis);
   }
   require_consistent(symbols, behaviour);
-  behaviour.orthotropic = symbols.number("SymmetryType").value_or(0) != 0;
-  behaviour.temperature = symbols.number("TemperatureRemovedFromExternalStateVariables").value_or(1) != 0;
+  behaviour.orthotropic = symbols.number("SymmetryType") != 0;
+  behaviour.temperature = symbols.number("TemperatureRemovedFromExternalStateVariables", 1) != 0;
   behaviour.prepended = prepended(symbols, behaviour.orthotropic);
   for (const MfrontVariable& property : symbols.variables("MaterialProperties", "")) {
     behaviour.properties.push_back(with_bounds(symbols, property));

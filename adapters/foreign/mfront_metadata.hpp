@@ -18,9 +18,10 @@ struct MfrontVariable {
 };
 
 struct MfrontBehaviour {
-  std::string name, hypothesis, version;
+  std::string name, version;
   void* entry = nullptr;
-  bool finite_strain = false;  ///< gradient F, force Cauchy; else small strain
+  void* set_parameter = nullptr;  ///< the function, where there is one
+  bool finite_strain = false;     ///< gradient F, force Cauchy; else small strain
   bool orthotropic = false;
   bool temperature = false;            ///< is the first external variable
   std::vector<std::string> prepended;  ///< elastic constants and expansions that come before the listed properties
@@ -35,7 +36,7 @@ struct MfrontBehaviour {
 /// Names of the behaviours of a library, by its symbols NAME_mfront_ept. Reads the file alone.
 std::vector<std::string> mfront_behaviours(const std::string& path);
 
-/// Of a loaded library, three-dimensional hypothesis. Throws ForeignError: no such behaviour, another interface or
+/// Of a loaded library, three-dimensional hypothesis. Throws ModelRefused: no such behaviour, another interface or
 /// version of it, cohesive zones and others that are no stress of a deformation.
 MfrontBehaviour mfront_behaviour(void* library, const std::string& name, const std::vector<std::string>& known);
 

@@ -53,13 +53,10 @@ std::vector<ForeignVariable> Umat::state_of(const ForeignModel& model) {
 }
 
 Umat::Umat(const ForeignTable& table, const double* properties)
-    : table_(table),
-      model_(table.model),
+    : AbaqusBridge(table, properties),
       ntens_(serves_all_components(model_) ? 6 : 4),
       nstatv_(foreign_state_size(model_.state)),
-      own_state_(umat_state_count + (model_.each_its_element ? 1 : 0)),
-      host_(host_values_of(model_)),
-      properties_(properties, properties + model_.properties.size()) {
+      own_state_(umat_state_count + (model_.each_its_element ? 1 : 0)) {
   make_arrays(GuardedArrays::usual_fence);
 }
 

@@ -12,7 +12,7 @@
 
 namespace assay::adapters {
 
-class Umat {
+class Umat : public AbaqusBridge {
  public:
   static std::vector<ForeignVariable> state_of(const ForeignModel& model);
 
@@ -26,11 +26,9 @@ class Umat {
   /// d cauchy / d F1 [Pa], 81 values, row by row, from DDSDDE. Throws PointFailure.
   void tangent(const PointStep& step, double* tangent);
 
-  const HostValues& host_values() const { return host_; }
   void hold(const HostValues& values);
   void widen();
   const GuardedArrays& arrays_of_a_point() { return arrays_; }
-  Surroundings& surroundings() { return surroundings_; }
 
  private:
   /// Integers that are handed over by reference.
@@ -49,17 +47,11 @@ class Umat {
   Tensor small_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const;
   Tensor finite_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const;
 
-  const ForeignTable& table_;
-  const ForeignModel& model_;
   int ntens_, nstatv_;
   std::size_t own_state_;  ///< of a point, before STATEV
   Tensor strain_after_ = Tensor::Zero();
   Tensor frame_ = Tensor::Identity();     ///< axes of the model at the end of the step
   Tensor rotation_ = Tensor::Identity();  ///< DROT
-  HostValues host_;
-  Surroundings surroundings_;
-  BeyondProbe probe_;
-  std::vector<double> properties_;
   Integers integers_{};
   InputWatch inputs_;
   GuardedArrays arrays_;

@@ -62,11 +62,7 @@ std::vector<ForeignVariable> Vumat::state_of(const ForeignModel& model) {
   return all;
 }
 
-Vumat::Vumat(const ForeignTable& table, const double* properties)
-    : table_(table),
-      model_(table.model),
-      properties_(properties, properties + table.model.properties.size()),
-      host_(host_values_of(model_)) {}
+Vumat::Vumat(const ForeignTable& table, const double* properties) : AbaqusBridge(table, properties) {}
 
 Vumat::Block::Block(std::size_t points, const ForeignModel& model, std::size_t fence)
     : n(points), arrays(fence), rotation(points) {

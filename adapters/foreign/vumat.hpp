@@ -14,7 +14,7 @@
 
 namespace assay::adapters {
 
-class Vumat {
+class Vumat : public AbaqusBridge {
  public:
   static constexpr std::size_t own_state = 9;
   static std::vector<ForeignVariable> state_of(const ForeignModel& model);
@@ -26,11 +26,9 @@ class Vumat {
   /// n points; arrays as in the ABI. Throws PointFailure.
   void update_batch(const assay_step& step, std::size_t n, const double* state0, double* state1, double* cauchy);
 
-  const HostValues& host_values() const { return host_; }
   void hold(const HostValues& values);
   void widen();
   const GuardedArrays& arrays_of_a_point() { return block_of(1).arrays; }
-  Surroundings& surroundings() { return surroundings_; }
 
  private:
   /// Arrays for batches of one size.
@@ -58,12 +56,6 @@ class Vumat {
   /// and is noted where the call counts.
   void note_state(Block& block, bool counts);
 
-  const ForeignTable& table_;
-  const ForeignModel& model_;
-  std::vector<double> properties_;
-  HostValues host_;
-  Surroundings surroundings_;
-  BeyondProbe probe_;
   std::size_t fence_ = GuardedArrays::usual_fence;
   std::vector<std::unique_ptr<Block>> blocks_;
 };

@@ -5,7 +5,6 @@
 #include <array>
 #include <atomic>
 #include <bit>
-#include <cstdint>
 #include <cstring>
 #include <iterator>
 
@@ -15,31 +14,12 @@ namespace {
 
 std::atomic<std::uint32_t> written_so_far{0};
 
-/// In the order of the bits.
-constexpr const char* input_names[] = {"STRAN",
-                                       "DSTRAN",
-                                       "TIME",
-                                       "DTIME",
-                                       "TEMP",
-                                       "PREDEF",
-                                       "PROPS",
-                                       "COORDS",
-                                       "DROT",
-                                       "CELENT",
-                                       "DFGRD0",
-                                       "DFGRD1",
-                                       "integers as NTENS, KINC",
-                                       "strainInc",
-                                       "stretch",
-                                       "defgrad",
-                                       "stressOld",
-                                       "stateOld",
-                                       "tempOld or tempNew",
-                                       "enerInternOld or enerInelasOld",
-                                       "others",
-                                       "s0",
-                                       "gradients",
-                                       "material properties"};
+/// In the order of the bits: twelve of UMATs, then the others.
+constexpr std::size_t of_umats = 12;
+constexpr const char* input_names[2][of_umats] = {
+    {"STRAN", "DSTRAN", "TIME", "DTIME", "TEMP", "PREDEF", "PROPS", "COORDS", "DROT", "CELENT", "DFGRD0", "DFGRD1"},
+    {"integers as NTENS, KINC", "strainInc", "stretch", "defgrad", "stressOld", "stateOld", "tempOld or tempNew",
+     "enerInternOld or enerInelasOld", "others", "s0", "gradients", "material properties"}};
 
 /// No number that a model would write: a quiet NaN with a payload of its own.
 const double post = std::bit_cast<double>(std::uint64_t{0x7ff8a55a59a15a55});
@@ -57,8 +37,9 @@ bool is_post(double value) { return std::bit_cast<std::uint64_t>(value) == std::
 
 std::string written_input_names(std::uint32_t written) {
   std::string text;
-  for (std::size_t k = 0; k < std::size(input_names); ++k) {
-    if (written & (written_stran << k)) text += (text.empty() ? "" : ", ") + std::string(input_names[k]);
+  for (std::size_t k = 0; k < 2 * of_umats; ++k) {
+    const char* name = input_names[k / of_umats][k % of_umats];
+    if (written & (written_stran << k)) text += (text.empty() ? "" : ", ") + std::string(name);
   }
   return text;
 }

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/process/descendants.hpp"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
+#include "adapters/process/private_files.hpp"
 #include "harness/material/progress_mark.hpp"
 
 namespace assay::adapters {
@@ -35,14 +36,11 @@ bool is_living_child(pid_t process, pid_t parent) {
 
 std::vector<pid_t> living_children() {
   std::vector<pid_t> all;
-  DIR* folder = ::opendir("/proc");
-  if (!folder) return all;
-  while (const dirent* entry = ::readdir(folder)) {
-    if (!std::isdigit(static_cast<unsigned char>(entry->d_name[0]))) continue;
-    const auto process = static_cast<pid_t>(std::strtol(entry->d_name, nullptr, 10));
-    if (is_living_child(process, ::getpid())) all.push_back(process);
+  std::error_code code;
+  for (std::filesystem::directory_iterator at("/proc", code), end; !code && at != end; at.increment(code)) {
+    const auto process = static_cast<pid_t>(std::strtol(at->path().filename().c_str(), nullptr, 10));
+    if (process > 0 && is_living_child(process, ::getpid())) all.push_back(process);
   }
-  ::closedir(folder);
   return all;
 }
 
@@ -68,12 +66,11 @@ bool is_of_workers(pid_t process) {
 ProcText::ProcText(pid_t process, const char* name) {
   char path[64];
   std::snprintf(path, sizeof path, "/proc/%d/%s", static_cast<int>(process), name);
-  const int file = ::open(path, O_RDONLY | O_CLOEXEC);
-  for (ssize_t got = 1; file >= 0 && got > 0 && length < sizeof text - 1;) {
-    got = ::read(file, text + length, sizeof text - 1 - length);
+  const OpenFile file(::open(path, O_RDONLY | O_CLOEXEC));
+  for (ssize_t got = 1; file.number() >= 0 && got > 0 && length < sizeof text - 1;) {
+    got = ::read(file.number(), text + length, sizeof text - 1 - length);
     if (got > 0) length += static_cast<std::size_t>(got);
   }
-  if (file >= 0) ::close(file);
   text[length] = '\0';
 }
 
@@ -81,14 +78,6 @@ void adopt_orphans() {
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   adopter = ::getpid();
 }
-
-AwaitedChildren::AwaitedChildren() {
-  struct sigaction usual = {};
-  usual.sa_handler = SIG_DFL;
-  ::sigaction(SIGCHLD, &usual, &before_);
-}
-
-AwaitedChildren::~AwaitedChildren() { ::sigaction(SIGCHLD, &before_, nullptr); }
 
 bool parent_adopts() { return adopter > 0 && ::getppid() == adopter; }
 

@@ -4,7 +4,7 @@
 
 #include <sys/types.h>
 
-#include <csignal>
+#include <cstddef>
 
 namespace assay::adapters {
 
@@ -20,18 +20,6 @@ void adopt_orphans();
 
 /// Whether the parent of this process is one that has called it.
 bool parent_adopts();
-
-/// While it lives, children can be waited for: foreign code may have this process ignore their ends.
-class AwaitedChildren {
- public:
-  AwaitedChildren();
-  ~AwaitedChildren();
-  AwaitedChildren(const AwaitedChildren&) = delete;
-  AwaitedChildren& operator=(const AwaitedChildren&) = delete;
-
- private:
-  struct sigaction before_ = {};
-};
 
 /// Waits for a child that is about to end; lets it go on where it was stopped, and kills it after five seconds.
 void await_end(pid_t child);

@@ -4,14 +4,12 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 namespace assay::adapters {
 
@@ -78,15 +76,13 @@ void Pipe::close(int k) {
 }
 
 PrintedFile::PrintedFile(const char* name) : file_(::memfd_create(name, MFD_CLOEXEC)) {
-  if (file_ < 0) fail("memfd_create", errno);
+  if (number() < 0) fail("memfd_create", errno);
 }
 
-PrintedFile::~PrintedFile() { ::close(file_); }
-
 std::string PrintedFile::text(std::size_t most, bool last) const {
-  const auto size = static_cast<std::size_t>(std::max<off_t>(::lseek(file_, 0, SEEK_END), 0));
+  const auto size = static_cast<std::size_t>(std::max<off_t>(::lseek(number(), 0, SEEK_END), 0));
   std::string text(std::min(size, most), '\0');
-  const ssize_t length = ::pread(file_, text.data(), text.size(), last ? static_cast<off_t>(size - text.size()) : 0);
+  const ssize_t length = ::pread(number(), text.data(), text.size(), last ? static_cast<off_t>(size - text.size()) : 0);
   text.resize(length > 0 ? static_cast<std::size_t>(length) : 0);
   return text;
 }
@@ -116,8 +112,6 @@ bool write_all(int file, std::string_view text) {
   return true;
 }
 
-bool stand_in(const std::string& folder) { return stands_apart = ::chdir(folder.c_str()) == 0; }
-
 std::string temporary_folder() {
   const char* said = std::getenv("TMPDIR");
   return said && *said == '/' ? said : "/tmp";
@@ -135,9 +129,9 @@ OwnFolder::~OwnFolder() {
 }
 
 bool OwnFolder::enter() const {
-  if (stands_apart || stand_in(path_)) return true;
-  if (reason_ != 0) errno = reason_;
-  return false;
+  stands_apart = stands_apart || ::chdir(path_.c_str()) == 0;
+  if (!stands_apart && reason_ != 0) errno = reason_;
+  return stands_apart;
 }
 
 SharedMemory::SharedMemory(int file, std::size_t bytes)

@@ -2,12 +2,30 @@
 // Files, folders and memory of ours beside foreign code, which closes what it can think of and writes where it stands.
 #pragma once
 
+#include <unistd.h>
+
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace assay::adapters {
+
+/// A file that is open, and closed with this; a negative number is none.
+class OpenFile {
+ public:
+  explicit OpenFile(int number) : number_(number) {}
+  ~OpenFile() { close(); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  int number() const { return number_; }
+  /// What the system says of it, which errno explains.
+  int close() { return number_ < 0 ? 0 : ::close(std::exchange(number_, -1)); }
+
+ private:
+  int number_;
+};
 
 /// A copy of a file. Its number is high where the system lets it be, and in any case beyond those of the standard
 /// streams and of WorkerFile. -1: none can be had.
@@ -38,17 +56,14 @@ class Pipe {
 class PrintedFile {
  public:
   explicit PrintedFile(const char* name);
-  ~PrintedFile();
-  PrintedFile(const PrintedFile&) = delete;
-  PrintedFile& operator=(const PrintedFile&) = delete;
-  int number() const { return file_; }
+  int number() const { return file_.number(); }
   /// So many bytes, at most, from the beginning, or from the end.
   std::string first(std::size_t most) const { return text(most, false); }
   std::string last(std::size_t most) const { return text(most, true); }
 
  private:
   std::string text(std::size_t most, bool last) const;
-  int file_;
+  OpenFile file_;
 };
 
 /// The words of a program as exec() takes them, and null; they point into `words`.
@@ -62,9 +77,6 @@ bool write_all(int file, std::string_view text);
 
 /// This process, and those that it forks, stand in such a folder.
 inline bool stands_apart = false;
-
-/// True, and so it does from now on; false: it cannot be reached.
-bool stand_in(const std::string& folder);
 
 /// That for temporary files.
 std::string temporary_folder();

@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "adapters/process/descendants.hpp"
+#include "adapters/process/private_files.hpp"
 #include "harness/material/progress_mark.hpp"
 #include "harness/numeric/arithmetic.hpp"
 
@@ -106,10 +107,8 @@ std::multiset<std::string> environment_now() {
 }
 
 int lowest_free_file() {
-  const int file = ::open("/", O_PATH | O_CLOEXEC);
-  if (file < 0) return std::numeric_limits<int>::max();
-  ::close(file);
-  return file;
+  const OpenFile file(::open("/", O_PATH | O_CLOEXEC));
+  return file.number() < 0 ? std::numeric_limits<int>::max() : file.number();
 }
 
 /// The cores on which a thread may run, and how soon it gets them.
@@ -233,11 +232,7 @@ Habits ProcessWatch::habits_so_far() {
 }
 
 std::string habit_words(Habits habits) {
-  struct Words {
-    Habit habit;
-    const char* words;
-  };
-  constexpr Words all[] = {
+  constexpr std::pair<Habit, const char*> all[] = {
       {folder_changed, "changes the folder of the process"},
       {output_closed, "closes or redirects standard output"},
       {processes_left, "leaves processes behind"},
@@ -259,8 +254,8 @@ std::string habit_words(Habits habits) {
       {streams_hurried, "makes the standard streams of the process non-blocking"},
       {scheduling_changed, "changes on which cores, or how soon, the process runs (affinity, nice)"}};
   std::string text;
-  for (const Words& each : all) {
-    if (habits & each.habit) text += (text.empty() ? "" : ", ") + std::string(each.words);
+  for (const auto& [habit, words] : all) {
+    if (habits & habit) text += (text.empty() ? "" : ", ") + std::string(words);
   }
   const std::string inputs = written_input_names(static_cast<std::uint32_t>(habits));
   if (!inputs.empty()) text += (text.empty() ? "" : ", ") + ("writes to its inputs (" + inputs + ")");

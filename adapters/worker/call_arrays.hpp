@@ -7,7 +7,6 @@
 // the function with them, and answers. The host looks for broken fences, copies the outputs out, and has the status.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -29,6 +28,11 @@ struct CallHead {
   std::int32_t status = ASSAY_GOOD;
   char message[ASSAY_MESSAGE_SIZE] = {};
 };
+
+/// Into a message of the ABI, as much of the text as it has room for.
+inline void write_message(char* message, const std::string& text) {
+  message[text.copy(message, ASSAY_MESSAGE_SIZE - 1)] = '\0';
+}
 
 /// Hands out arrays one after another, with fences between them.
 class CallArrays {
@@ -88,44 +92,6 @@ class CallArrays {
   char* memory_;
   std::size_t size_, at_, count_ = 0;
   std::array<Fence, 8> fences_;
-};
-
-/// Of `update`, which returns no status: each point has its own.
-struct UpdateArrays {
-  double *F0, *F1, *state0, *state1, *cauchy;
-  std::int32_t* status;
-
-  UpdateArrays(CallArrays& arrays, std::size_t n, std::size_t state_size)
-      : F0(arrays.next<double>(9 * n, "F0")),
-        F1(arrays.next<double>(9 * n, "F1")),
-        state0(arrays.next<double>(state_size * n, "state0")),
-        state1(arrays.next<double>(state_size * n, "state1")),
-        cauchy(arrays.next<double>(9 * n, "cauchy")),
-        status(arrays.next<std::int32_t>(n, "status")),
-        n_(n),
-        state_size_(state_size) {}
-
-  /// What a call writes, which is copied in, too.
-  struct Answer {
-    double *state1, *cauchy;
-    std::int32_t* status;
-  };
-  void put(CallHead& head, const assay_step& step, const double* from_state0, const Answer& from) const {
-    head.t = step.t, head.dt = step.dt;
-    std::copy_n(step.F0, 9 * n_, F0);
-    std::copy_n(step.F1, 9 * n_, F1);
-    std::copy_n(from_state0, state_size_ * n_, state0);
-    copy(from, {state1, cauchy, status});
-  }
-  void bring_back(const Answer& to) const { copy({state1, cauchy, status}, to); }
-
- private:
-  void copy(const Answer& from, const Answer& to) const {
-    std::copy_n(from.state1, state_size_ * n_, to.state1);
-    std::copy_n(from.cauchy, 9 * n_, to.cauchy);
-    std::copy_n(from.status, n_, to.status);
-  }
-  std::size_t n_, state_size_;
 };
 
 /// Of a history: what is asked, and room for as many numbers as an answer may have. While it is taken, the calls of the

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/worker/fenced_model.hpp"
-
+// A worker's model between fences.
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <tuple>
 
 #include "adapters/worker/operations.hpp"
 #include "adapters/worker/table_pack.hpp"
+#include "adapters/worker/worker.hpp"
 #include "harness/history/history_task.hpp"
 #include "harness/material/material.hpp"
 #include "harness/material/offer.hpp"
@@ -16,11 +17,13 @@
 
 namespace assay::adapters {
 
-/// Everything is forwarded to an instance that is there already.
-struct FencedModel::Table : assay_material {
-  Table(const assay_material& table, void* instance, const WorkerFloor& floor);
+namespace {
 
-  static Table& of(void* self) { return *static_cast<Table*>(self); }
+/// Everything is forwarded to an instance that is there already.
+struct FencedTable : assay_material {
+  FencedTable(const assay_material& table, void* instance, const WorkerFloor& floor);
+
+  static FencedTable& of(void* self) { return *static_cast<FencedTable*>(self); }
   /// A function of the list, with the arrays of this call between fences.
   template <class Function, class... Arguments>
   static std::int32_t forward(void* self, Arguments... arguments);
@@ -46,7 +49,7 @@ struct FencedModel::Table : assay_material {
   std::string misdeed;
 };
 
-FencedModel::Table::Table(const assay_material& table, void* of_table, const WorkerFloor& floor)
+FencedTable::FencedTable(const assay_material& table, void* of_table, const WorkerFloor& floor)
     : assay_material(),
       model(&table),
       instance(of_table),
@@ -59,75 +62,62 @@ FencedModel::Table::Table(const assay_material& table, void* of_table, const Wor
   struct_size = sizeof(assay_material);
   create = nullptr;
   create_of = [](const assay_material* self, const double*, char*) {
-    return static_cast<void*>(const_cast<Table*>(static_cast<const Table*>(self)));
+    return static_cast<void*>(const_cast<FencedTable*>(static_cast<const FencedTable*>(self)));
   };
   destroy = [](void*) {};
-  initial_state = table.initial_state ? &Forwarded<Table, InitialState>::call : nullptr;
+  initial_state = table.initial_state ? &Forwarded<FencedTable, InitialState>::call : nullptr;
   update = update_fenced;
   extension_of = extension_fenced;
 }
 
 template <class Function, class... Arguments>
-std::int32_t FencedModel::Table::forward(void* self, Arguments... arguments) {
-  Table& t = of(self);
-  CallArrays arrays = t.room();
-  arrays.head() = {};  // no step that could be taken again
-  CallPassage passage(arrays, operation_of<Function>, points_of(arguments...), t.state_size);
+std::int32_t FencedTable::forward(void* self, Arguments... arguments) {
+  FencedTable& t = of(self);
+  const std::size_t n = points_of(arguments...);
+  constexpr bool is_step = std::is_same_v<Function, Update>;
+  CallArrays arrays = t.room(), laid_out = t.room();
+  arrays.head() = {.n = is_step ? n : 0};  // or there is no step that could be taken again
+  CallPassage passage(arrays, operation_of<Function>, n, t.state_size);
   passage.put_all(arguments...);
   arrays.raise_fences();
-  CallArrays laid_out = t.room();
-  CallPassage inside(laid_out, operation_of<Function>, points_of(arguments...), t.state_size);
-  const std::tuple<Arguments...> fenced = inside.take_all<Arguments...>();
+  CallPassage inside(laid_out, operation_of<Function>, n, t.state_size);
+  const std::tuple<Arguments...> fenced = inside.take_all(PointerOf<Function>());
   const std::int32_t status = [&] {
     const ModelCall marks(*t.control);
     return std::apply([&](Arguments... all) { return call_here<Function>(*t.model, t.instance, all...); }, fenced);
   }();
   t.note(arrays);
+  if (is_step && status == ASSAY_FAILED) t.misdeed = arrays.head().message;  // it threw
   passage.bring_back();
   return t.misdeed.empty() ? status : ASSAY_FAILED;
 }
 
-void FencedModel::Table::update_fenced(void* self, const assay_step* step, std::size_t n, const double* state0,
-                                       double* state1, double* cauchy, std::int32_t* status, double* dt_factor,
-                                       char* message) {
-  Table& t = of(self);
-  CallArrays arrays = t.room();
-  UpdateArrays a(arrays, n, t.state_size);
-  arrays.head().n = n;
-  a.put(arrays.head(), *step, state0, {state1, cauchy, status});
-  arrays.raise_fences();
-  const assay_step inside{step->t, step->dt, a.F0, a.F1};
-  const std::string thrown = [&] {
-    const ModelCall marks(*t.control);
-    return thrown_by(t.model->update, [&] {
-      t.model->update(t.instance, &inside, n, a.state0, a.state1, a.cauchy, a.status, dt_factor, message);
-    });
-  }();
-  t.note(arrays);
-  if (!thrown.empty()) t.misdeed = "the model " + thrown;
-  a.bring_back({state1, cauchy, status});
-  if (t.misdeed.empty()) return;
-  std::fill_n(status, n, ASSAY_FAILED);
-  *dt_factor = 0;
-  message[t.misdeed.copy(message, ASSAY_MESSAGE_SIZE - 1)] = '\0';
+void FencedTable::update_fenced(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
+                                double* cauchy, std::int32_t* status, double* dt_factor, char* message) {
+  CallHead head;
+  if (forward<Update>(self, step, n, state0, state1, cauchy, status, &head) == ASSAY_FAILED) {
+    std::fill_n(status, n, ASSAY_FAILED);
+    head.dt_factor = 0;
+    write_message(head.message, of(self).misdeed);
+  }
+  *dt_factor = head.dt_factor;
+  std::memcpy(message, head.message, ASSAY_MESSAGE_SIZE);
 }
 
-const char* FencedModel::Table::reason_fenced(void* self) {
-  const Table& t = of(self);
+const char* FencedTable::reason_fenced(void* self) {
+  const FencedTable& t = of(self);
   if (!t.misdeed.empty()) return t.misdeed.c_str();
   const Offer<assay_reason> reason(*t.model, t.instance);
   return reason ? reason() : "";
 }
 
-const void* FencedModel::Table::extension_fenced(const assay_material* table, const char* id) {
+const void* FencedTable::extension_fenced(const assay_material* table, const char* id) {
   static const assay_reason reason{sizeof(assay_reason), reason_fenced};
-  const Table& t = *static_cast<const Table*>(table);
+  const FencedTable& t = *static_cast<const FencedTable*>(table);
   if (std::strcmp(id, ASSAY_EXTENSION_REASON) == 0) return &reason;
   if (std::strcmp(id, ASSAY_EXTENSION_RATE) != 0 || !Offer<assay_rate>(*t.model, t.instance)) return nullptr;
-  return &forwarded_extension<Table, assay_rate>;
+  return &forwarded_extension<FencedTable, assay_rate>;
 }
-
-namespace {
 
 std::map<std::string, double> by_name(const assay_material& table, std::span<const double> parameters) {
   std::map<std::string, double> named;
@@ -137,16 +127,14 @@ std::map<std::string, double> by_name(const assay_material& table, std::span<con
 
 }  // namespace
 
-FencedModel::FencedModel(const assay_material& table, void* self, std::span<const double> parameters,
-                         const WorkerFloor& floor)
-    : table_(std::make_unique<Table>(table, self, floor)),
-      tasks_(std::make_unique<HistoryTasks>(Material(table_.get(), by_name(table, parameters)))) {}
-
-FencedModel::~FencedModel() = default;
-
-std::vector<double> FencedModel::answer(std::span<const double> task) {
-  table_->room().head() = {};  // no call yet
-  return tasks_->answer(task);
+FencedModel fenced_model(const assay_material& table, void* self, std::span<const double> parameters,
+                         const WorkerFloor& floor) {
+  const auto fenced = std::make_shared<FencedTable>(table, self, floor);
+  const auto tasks = std::make_shared<HistoryTasks>(Material(fenced.get(), by_name(table, parameters)));
+  return [fenced, tasks](std::span<const double> task) {
+    fenced->room().head() = {};  // no call yet
+    return tasks->answer(task);
+  };
 }
 
 }  // namespace assay::adapters

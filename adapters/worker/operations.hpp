@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -16,9 +17,14 @@
 
 namespace assay::adapters {
 
-/// The function of a table that no extension has, as one of the list.
+/// The functions of a table that no extension has, as ones of the list. What `update` says beside its arrays stands in
+/// the head of the call.
 struct InitialState {
   decltype(assay_material::initial_state) initial_state;
+};
+struct Update {
+  std::int32_t (*update)(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
+                         double* cauchy, std::int32_t* status, CallHead* head);
 };
 
 }  // namespace assay::adapters
@@ -27,6 +33,8 @@ namespace assay {
 template <>
 inline constexpr OfferedFunction<&adapters::InitialState::initial_state> offered<adapters::InitialState>{
     nullptr, "initial_state"};
+template <>
+inline constexpr OfferedFunction<&adapters::Update::update> offered<adapters::Update>{nullptr, "update"};
 }  // namespace assay
 
 namespace assay::adapters {
@@ -48,9 +56,9 @@ inline constexpr std::size_t of_state = 0;  ///< as many as the state has
 enum class Operation : std::uint32_t {
   describe = 1,  ///< its table's metadata, or why there is none
   create,
-  update,
   history,  ///< a history as a whole, or a coarse march: harness/history/history_task.hpp
   initial_state,
+  update,
   first_extension,
 };
 
@@ -65,19 +73,24 @@ inline constexpr auto operation_of = static_cast<Operation>(static_cast<std::uin
                                                             place_in<Extension>(StatusExtensions{}));
 template <>
 inline constexpr auto operation_of<InitialState> = Operation::initial_state;
+template <>
+inline constexpr auto operation_of<Update> = Operation::update;
 
-/// Of `initial_state`, then of StatusExtensions, in the order of the arguments; those of an assay_step have no row.
-inline constexpr ArrayRow array_rows[][6] = {{{"cauchy", 9}, {"the initial state", of_state, true}},
-                                             {{"F", 9},
-                                              {"l", 9},
-                                              {"cauchy", 9},
-                                              {"state", of_state},
-                                              {"the rate of stress", 9},
-                                              {"the rate of state", of_state}},
-                                             {{"state0", of_state}, {"the tangent", 81}},
-                                             {{"F", 9}, {"state", of_state}, {"the energy", 1}},
-                                             {{"F", 9}, {"cauchy", 9}, {"state", of_state}, {"the speed", 1}},
-                                             {{"eps", 1}, {"tau", 9}, {"the slope", 9}}};
+/// Of `initial_state`, of `update`, then of StatusExtensions, in the order of the arguments; those of an assay_step
+/// have no row.
+inline constexpr ArrayRow array_rows[][6] = {
+    {{"cauchy", 9}, {"the initial state", of_state, true}},
+    {{"state0", of_state}, {"state1", of_state, true}, {"cauchy", 9, true}, {"status", 1, true}},
+    {{"F", 9},
+     {"l", 9},
+     {"cauchy", 9},
+     {"state", of_state},
+     {"the rate of stress", 9},
+     {"the rate of state", of_state}},
+    {{"state0", of_state}, {"the tangent", 81}},
+    {{"F", 9}, {"state", of_state}, {"the energy", 1}},
+    {{"F", 9}, {"cauchy", 9}, {"state", of_state}, {"the speed", 1}},
+    {{"eps", 1}, {"tau", 9}, {"the slope", 9}}};
 
 /// The arguments of a call of a function of the list, behind `self`, on their way through such arrays.
 class CallPassage {
@@ -95,58 +108,68 @@ class CallPassage {
   }
   /// Copies the outputs out.
   void bring_back() const {
-    for (std::size_t k = 0; k < outputs_; ++k) std::copy_n(outputs_of_[k].from, outputs_of_[k].size, outputs_of_[k].to);
+    for (std::size_t k = 0; k < outputs_; ++k)
+      std::copy_n(outputs_of_[k].from, outputs_of_[k].bytes, outputs_of_[k].to);
+    if (head_) *head_ = arrays_.head();
   }
-  /// On the other side: the same arguments.
+  /// On the other side: the same arguments, of a function of that type.
   template <class... Arguments>
-  std::tuple<Arguments...> take_all() {
+  std::tuple<Arguments...> take_all(std::int32_t (*)(void*, Arguments...)) {
     return {take(static_cast<Arguments*>(nullptr))...};  // in this order
   }
 
  private:
   struct Output {
-    const double* from;
-    double* to;
-    std::size_t size;
+    const char* from;
+    char* to;
+    std::size_t bytes;
   };
-  double* next(const ArrayRow& row) { return arrays_.next<double>(size_of(row), row.name); }
+  template <class Number = double>
+  Number* next(const ArrayRow& row) {
+    return arrays_.next<Number>(size_of(row), row.name);
+  }
   std::size_t size_of(const ArrayRow& row) const { return n_ * (row.numbers == of_state ? state_size_ : row.numbers); }
 
   void put(std::size_t) {}
   void put(double scalar) { arrays_.head().scalar = scalar; }
   void put(std::int32_t choice) { arrays_.head().choice = choice; }
+  void put(CallHead* head) { head_ = head; }
   void put(const assay_step* step) {
     arrays_.head().t = step->t, arrays_.head().dt = step->dt;
     std::copy_n(step->F0, 9 * n_, next(step_rows[0]));
     std::copy_n(step->F1, 9 * n_, next(step_rows[1]));
   }
-  void put(const double* input) {
+  /// An input is const.
+  template <class Number>
+  void put(Number* array) {
     const ArrayRow& row = *row_++;
-    std::copy_n(input, size_of(row), next(row));
-  }
-  void put(double* output) {
-    const ArrayRow& row = *row_++;
-    double* there = next(row);
-    if (row.is_read) std::copy_n(output, size_of(row), there);
-    outputs_of_[outputs_++] = {there, output, size_of(row)};
+    auto* there = next<std::remove_const_t<Number>>(row);
+    if (std::is_const_v<Number> || row.is_read) std::copy_n(array, size_of(row), there);
+    if constexpr (!std::is_const_v<Number>)
+      outputs_of_[outputs_++] = {reinterpret_cast<char*>(there), reinterpret_cast<char*>(array),
+                                 size_of(row) * sizeof(Number)};
   }
 
   std::size_t take(std::size_t*) const { return n_; }
   double take(double*) const { return arrays_.head().scalar; }
   std::int32_t take(std::int32_t*) const { return arrays_.head().choice; }
+  CallHead* take(CallHead**) const { return &arrays_.head(); }
   const assay_step* take(const assay_step**) {
     const double* F0 = next(step_rows[0]);
     step_ = {arrays_.head().t, arrays_.head().dt, F0, next(step_rows[1])};
     return &step_;
   }
-  const double* take(const double**) { return next(*row_++); }
-  double* take(double**) { return next(*row_++); }
+  template <class Number>
+  Number* take(Number**) {
+    return next<std::remove_const_t<Number>>(*row_++);
+  }
 
   static constexpr ArrayRow step_rows[] = {{"F0", 9}, {"F1", 9}};
   CallArrays& arrays_;
   const ArrayRow* row_;
   std::size_t n_, state_size_, outputs_ = 0;
-  std::array<Output, 2> outputs_of_;
+  std::array<Output, 3> outputs_of_;
+  CallHead* head_ = nullptr;
   assay_step step_;
 };
 
@@ -184,10 +207,26 @@ std::size_t points_of(Arguments... arguments) {
   return std::get<std::size_t>(std::tuple<Arguments...>(arguments...));
 }
 
+/// Where it throws, all points have failed, and the message says so.
+inline std::int32_t update_here(const assay_material& table, void* self, const assay_step* step, std::size_t n,
+                                const double* state0, double* state1, double* cauchy, std::int32_t* status,
+                                CallHead* head) {
+  const std::string thrown = thrown_by(table.update, [&] {
+    table.update(self, step, n, state0, state1, cauchy, status, &head->dt_factor, head->message);
+  });
+  if (thrown.empty()) return ASSAY_GOOD;
+  std::fill_n(status, n, ASSAY_FAILED);
+  head->dt_factor = 0;
+  write_message(head->message, "the model " + thrown);
+  return ASSAY_FAILED;
+}
+
 /// Calls a model's own function. Throws ModelThrew.
 template <class Function, class... Arguments>
 std::int32_t call_here(const assay_material& table, void* self, Arguments... arguments) {
-  if constexpr (!std::is_same_v<Function, InitialState>) {
+  if constexpr (std::is_same_v<Function, Update>) {
+    return update_here(table, self, arguments...);
+  } else if constexpr (!std::is_same_v<Function, InitialState>) {
     return Offer<Function>(table, self)(arguments...);
   } else if (table.initial_state) {
     return call_model(table, offered<InitialState>.name, table.initial_state, self, arguments...);

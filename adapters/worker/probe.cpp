@@ -13,7 +13,7 @@
 
 #include "adapters/elf_symbols.hpp"
 #include "adapters/library.hpp"
-#include "adapters/process/forked.hpp"
+#include "adapters/process/kept_process.hpp"
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/table_pack.hpp"
 #include "harness/material/material.hpp"
@@ -99,18 +99,14 @@ void try_library(const std::string& path) {
   if (at != std::string::npos) throw LibraryError(found.text.substr(0, at), found.text.substr(at + 1));
 }
 
-std::map<std::string, double> probe_parameters(const assay_material& table) {
-  std::map<std::string, double> values;
-  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
-    const assay_parameter& p = table.parameters[i];
-    values[p.name] = std::isnan(p.default_value) ? inside(p.lower, p.upper) : p.default_value;
-  }
-  return values;
+std::map<std::string, double> probe_parameters(const assay_material& table, std::map<std::string, double> given) {
+  for (const assay_parameter& p : std::span(table.parameters, table.parameter_count))
+    given.emplace(p.name, std::isnan(p.default_value) ? inside(p.lower, p.upper) : p.default_value);
+  return given;
 }
 
 std::optional<std::string> probe_defect(const assay_material* table, const std::map<std::string, double>& given) {
-  std::map<std::string, double> parameters = probe_parameters(*table);
-  for (const auto& [name, value] : given) parameters[name] = value;
+  const std::map<std::string, double> parameters = probe_parameters(*table, given);
   if (!start_of(table).task.empty()) {  // in a process of its own as it is
     const std::string complaint = complaint_of(table, parameters);
     return complaint.empty() ? std::nullopt : std::optional(complaint);
@@ -124,8 +120,7 @@ std::optional<std::string> probe_defect(const assay_material* table, const std::
 
 bool depends_on_duration(const assay_material* table, const std::map<std::string, double>& given) {
   constexpr double strain = 1e-4, alike = 1e-6;
-  std::map<std::string, double> parameters = probe_parameters(*table);
-  for (const auto& [name, value] : given) parameters[name] = value;
+  const std::map<std::string, double> parameters = probe_parameters(*table, given);
   try {
     const Material material(table, parameters);
     const std::vector<double> F0{1, 0, 0, 0, 1, 0, 0, 0, 1}, F1{1 + strain, strain, 0, 0, 1, 0, 0, 0, 1};

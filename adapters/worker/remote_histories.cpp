@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Histories of a remote table, taken in its workers.
 #include <algorithm>
-#include <cmath>
 
 #include "adapters/worker/remote_instance.hpp"
 #include "harness/history/history_task.hpp"
 #include "harness/material/thrown.hpp"
-#include "harness/numeric/tensor.hpp"
 
 namespace assay::adapters {
 
@@ -15,9 +13,11 @@ namespace {
 /// The step of one point that a dead worker was at; absent where it was at none.
 std::optional<FailedStep> step_inside(const WorkerProcess& worker, std::size_t state_size) {
   CallArrays arrays = arrays_inside(worker.arrays(), worker.arrays_size());
-  const UpdateArrays a(arrays, 1, state_size);
   if (arrays.head().n != 1) return std::nullopt;
-  return failed_step(arrays.head().t, arrays.head().dt, 1, 0, a.F0, a.F1, a.state0, state_size);
+  CallPassage passage(arrays, Operation::update, 1, state_size);
+  const auto all = passage.take_all(PointerOf<Update>());
+  const assay_step& step = *std::get<const assay_step*>(all);
+  return failed_step(step.t, step.dt, 1, 0, step.F0, step.F1, std::get<const double*>(all), state_size);
 }
 
 /// What a worker says to a task. Throws MaterialFailure, which no shorter step would avoid, where it has none.

@@ -69,6 +69,20 @@ class Lease {
   std::shared_ptr<Slot> slot_;
 };
 
+/// Whether `attempt(slot)` is done in a worker, best one that has the instance. Where it was killed, which a model does
+/// to itself again and again, another worker is asked, once.
+template <class Attempt>
+bool in_worker(RemoteTable& table, std::uint64_t instance, const Attempt& attempt) {
+  for (const bool again : {false, true}) {
+    Lease lease(table, instance);
+    const bool done = attempt(lease.slot());
+    if (!done && lease.slot().worker.killed()) continue;
+    if (again) note_killed_worker();
+    return done;
+  }
+  return false;
+}
+
 inline std::string text_of(const char* words, std::size_t size) { return {words, strnlen(words, size)}; }
 
 /// One instance of the host's.
@@ -81,18 +95,10 @@ class Instance {
   std::string reason;  ///< of the last call that failed
 
   /// Room for a call's arrays, filled by `in`; `out` reads the answer. False with a reason: the worker died, refused to
-  /// make the instance, or wrote where it must not. `dead(worker)`: what its memory still tells, if it died. Where it
-  /// was killed, which a model does to itself again and again, another worker is asked.
+  /// make the instance, or wrote where it must not. `dead(worker)`: what its memory still tells, if it died.
   template <class In, class Out, class Dead>
   bool call(Operation operation, std::size_t n, const In& in, const Out& out, const Dead& dead) {
-    for (const bool again : {false, true}) {
-      Lease lease(table_, id_);
-      const bool done = call_in(lease.slot(), operation, n, in, out, dead);
-      if (!done && lease.slot().worker.killed()) continue;
-      if (again) note_killed_worker();
-      return done;
-    }
-    return false;
+    return in_worker(table_, id_, [&](Slot& slot) { return call_in(slot, operation, n, in, out, dead); });
   }
 
   /// The same in a worker that is at hand, once.
@@ -116,27 +122,34 @@ class Instance {
     return true;
   }
 
-  /// A function of the list. Throws ModelThrew, as the call would here, and where an extension's function ends the
-  /// worker or writes where it must not: no model refuses anything so.
-  template <class Function, class... Arguments>
-  static std::int32_t forward(void* self, Arguments... arguments) {
-    auto& instance = *static_cast<Instance*>(self);
-    std::int32_t status = ASSAY_FAILED;
+  /// A function of the list: its status; nothing where no worker has answered. `dead` as above.
+  template <class Function, class Dead, class... Arguments>
+  std::optional<std::int32_t> ask(const Dead& dead, Arguments... arguments) {
+    std::optional<std::int32_t> status;
     std::optional<CallPassage> passage;
     const std::size_t n = points_of(arguments...);
     const auto in = [&](CallArrays& arrays) {
-      passage.emplace(arrays, operation_of<Function>, n, instance.table_.state_size).put_all(arguments...);
+      passage.emplace(arrays, operation_of<Function>, n, table_.state_size).put_all(arguments...);
     };
     const auto out = [&](const CallHead& head) {
       status = head.status;
-      if (status == ASSAY_FAILED) instance.reason = text_of(head.message, ASSAY_MESSAGE_SIZE);
+      if (status == ASSAY_FAILED) reason = text_of(head.message, ASSAY_MESSAGE_SIZE);
       passage->bring_back();
     };
-    const bool answered = instance.call(operation_of<Function>, n, in, out, [](const WorkerProcess&) {});
-    const bool of_extension = operation_of<Function> != Operation::initial_state;
-    if ((!answered && of_extension) || instance.reason.find(exception_words) != std::string::npos)
-      throw ModelThrew(instance.reason);
+    call(operation_of<Function>, n, in, out, dead);
     return status;
+  }
+
+  /// The same. Throws ModelThrew, as the call would here, and where an extension's function ends the worker or writes
+  /// where it must not: no model refuses anything so.
+  template <class Function, class... Arguments>
+  static std::int32_t forward(void* self, Arguments... arguments) {
+    auto& instance = *static_cast<Instance*>(self);
+    const auto status = instance.ask<Function>([](const WorkerProcess&) {}, arguments...);
+    const bool of_extension = operation_of<Function> != Operation::initial_state;
+    if ((!status && of_extension) || instance.reason.find(exception_words) != std::string::npos)
+      throw ModelThrew(instance.reason);
+    return status.value_or(ASSAY_FAILED);
   }
 
   /// Made in that worker, now or before.

@@ -84,22 +84,14 @@ namespace {
 
 Instance& of(void* self) { return *static_cast<Instance*>(self); }
 
-void say(char* message, const std::string& text) { message[text.copy(message, ASSAY_MESSAGE_SIZE - 1)] = '\0'; }
-
 void* create_remote(const assay_material* table, const double* parameters, char* message) {
   try {
     auto& remote = *const_cast<RemoteTable*>(static_cast<const RemoteTable*>(table));
     auto made = std::make_unique<Instance>(remote, parameters);
-    for (const bool again : {false, true}) {
-      Lease lease(remote, 0);
-      const bool known = made->known_to(lease.slot());
-      if (known && again) note_killed_worker();
-      if (known) return made.release();
-      if (!lease.slot().worker.killed()) break;
-    }
-    say(message, made->reason);
+    if (in_worker(remote, 0, [&](Slot& slot) { return made->known_to(slot); })) return made.release();
+    write_message(message, made->reason);
   } catch (const std::exception& error) {
-    say(message, error.what());
+    write_message(message, error.what());
   }
   return nullptr;
 }
@@ -133,48 +125,6 @@ const void* extension_remote(const assay_material* table, const char* id) {
   return forwarded_of<Instance>(id, is_offered, StatusExtensions{});
 }
 
-}  // namespace
-
-void update_remote(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
-                   double* cauchy, std::int32_t* status, double* dt_factor, char* message) {
-  Instance& instance = of(self);
-  std::optional<UpdateArrays> a;
-  std::size_t point = 0;
-  const auto in = [&](CallArrays& arrays) {
-    a.emplace(arrays, n, instance.table().state_size);
-    a->put(arrays.head(), *step, state0, {state1, cauchy, status});
-  };
-  const auto out = [&](const CallHead& head) {
-    a->bring_back({state1, cauchy, status});
-    *dt_factor = head.dt_factor;
-    std::memcpy(message, head.message, ASSAY_MESSAGE_SIZE);
-  };
-  const auto dead = [&](const WorkerProcess& worker) { point = worker.control().point.load(); };
-  try {
-    if (instance.call(Operation::update, n, in, out, dead)) return;
-  } catch (const std::exception& error) {
-    instance.reason = error.what();
-  }
-  if (point == no_point) point = n > 1 ? point_that_ends(instance, *step, n, state0) : 0;
-  std::fill_n(status, n, ASSAY_GOOD);
-  status[std::min(point, n - 1)] = ASSAY_FAILED;
-  *dt_factor = 0;
-  say(message, instance.reason);
-}
-
-bool ends_worker(Instance& instance, const FailedStep& step) {
-  double F0[9], F1[9], cauchy[9] = {}, dt_factor = 1;
-  for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
-  std::vector<double> state1(step.state0.size());
-  const assay_step one{step.t, step.dt, F0, F1};
-  std::int32_t status = ASSAY_GOOD;
-  char message[ASSAY_MESSAGE_SIZE] = "";
-  update_remote(&instance, &one, 1, step.state0.data(), state1.data(), cauchy, &status, &dt_factor, message);
-  return dt_factor == 0;
-}
-
-namespace {
-
 /// All that were made; guarded.
 struct AllTables {
   std::mutex guard;
@@ -196,26 +146,63 @@ Value of_remote(const assay_material* table, const Value& otherwise, const Ask& 
   return otherwise;
 }
 
-/// Metadata of the worker's table. Throws RemoteError.
-void describe(RemoteTable& table, bool again = false) {
-  Lease lease(table, 0);
-  WorkerProcess& worker = lease.slot().worker;
-  if (!worker.call(static_cast<std::uint32_t>(Operation::describe))) {
-    if (worker.killed() && !again) return describe(table, true);
-    throw RemoteError({"", worker.how_it_ended(), ""});
-  }
-  if (again) note_killed_worker();
-  CallArrays arrays(worker.arrays(), worker.arrays_size());
-  if (arrays.head().status == ASSAY_FAILED) {
-    const char* words = arrays.next<char>(3 * words_size, "the reason");
-    throw RemoteError({text_of(words, words_size), text_of(words + words_size, words_size),
-                       text_of(words + 2 * words_size, words_size)});
-  }
-  const std::size_t size = arrays.head().n;
-  unpack(std::string(arrays.next<char>(size, "the table"), size), table.metadata);
+/// Metadata of the worker's table. Throws ModelRefused.
+void describe(RemoteTable& table) {
+  std::optional<ModelRefused> refused;
+  in_worker(table, 0, [&](Slot& slot) {
+    WorkerProcess& worker = slot.worker;
+    const bool answered = worker.call(static_cast<std::uint32_t>(Operation::describe));
+    CallArrays arrays(worker.arrays(), worker.arrays_size());
+    const auto text = [&](std::size_t size) { return arrays.next<char>(size, "the answer"); };
+    const auto part = [&] { return text_of(text(ASSAY_MESSAGE_SIZE), ASSAY_MESSAGE_SIZE); };
+    if (!answered) {
+      refused.emplace("", worker.how_it_ended());
+    } else if (arrays.head().status == ASSAY_FAILED) {
+      const std::string key = part(), what = part();
+      refused.emplace(key, what, part());
+    } else {
+      refused.reset();
+      unpack({text(arrays.head().n), arrays.head().n}, table.metadata);
+    }
+    return answered;
+  });
+  if (refused) throw *refused;
 }
 
 }  // namespace
+
+void update_remote(void* self, const assay_step* step, std::size_t n, const double* state0, double* state1,
+                   double* cauchy, std::int32_t* status, double* dt_factor, char* message) {
+  Instance& instance = of(self);
+  std::size_t point = 0;
+  const auto dead = [&](const WorkerProcess& worker) { point = worker.control().point.load(); };
+  try {
+    CallHead head;
+    if (instance.ask<Update>(dead, step, n, state0, state1, cauchy, status, &head)) {
+      *dt_factor = head.dt_factor;
+      std::memcpy(message, head.message, ASSAY_MESSAGE_SIZE);
+      return;
+    }
+  } catch (const std::exception& error) {
+    instance.reason = error.what();
+  }
+  if (point == no_point) point = n > 1 ? point_that_ends(instance, *step, n, state0) : 0;
+  std::fill_n(status, n, ASSAY_GOOD);
+  status[std::min(point, n - 1)] = ASSAY_FAILED;
+  *dt_factor = 0;
+  write_message(message, instance.reason);
+}
+
+bool ends_worker(Instance& instance, const FailedStep& step) {
+  double F0[9], F1[9], cauchy[9] = {}, dt_factor = 1;
+  for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
+  std::vector<double> state1(step.state0.size());
+  const assay_step one{step.t, step.dt, F0, F1};
+  std::int32_t status = ASSAY_GOOD;
+  char message[ASSAY_MESSAGE_SIZE] = "";
+  update_remote(&instance, &one, 1, step.state0.data(), state1.data(), cauchy, &status, &dt_factor, message);
+  return dt_factor == 0;
+}
 
 const assay_material* remote_table(const WorkerStart& start) {
   auto table = std::make_unique<RemoteTable>();

@@ -3,25 +3,19 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 
 #include "adapters/foreign/written_inputs.hpp"
+#include "adapters/library.hpp"
 #include "adapters/worker/worker.hpp"
 #include "adapters/worker/worker_process.hpp"
 
 namespace assay::adapters {
 
-/// Why a worker has no table for its task: ModelRefused of the worker, or how the worker came to its end (key empty).
-class RemoteError : public std::runtime_error {
- public:
-  explicit RemoteError(const ModelRefused& why) : std::runtime_error(why.what), refused(why) {}
-  ModelRefused refused;
-};
-
 /// Starts a worker and asks it for its table; calls go to as many workers as there are at once. A call in which the
 /// worker dies fails with words of how; the next one goes to a new worker. The table lives as long as the process, its
-/// workers until it ends. Throws RemoteError, std::system_error.
+/// workers until it ends. Throws std::system_error, and ModelRefused: that of the worker, or how the worker came to its
+/// end.
 const assay_material* remote_table(const WorkerStart& start);
 
 /// What a remote table's workers are started with; no task for any other table.

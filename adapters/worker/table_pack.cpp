@@ -11,67 +11,47 @@ namespace assay::adapters {
 
 namespace {
 
-class Writer {
- public:
-  template <class T>
-  void item(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    out.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  void item(const char* words) {
-    const std::string copy = words ? words : "";
-    item(copy.size());
-    out += copy;
-  }
-  template <class List>
-  void size(const List& list) {
-    item(list.size());
-  }
-  std::string out;
-};
+/// What is packed, which is written into values where `reads`, and else made of them.
+struct Pack {
+  std::string bytes;
+  bool reads = false;
+  std::deque<std::string>* words = nullptr;  ///< that keep the texts that are read
+  std::size_t at = 0;
 
-class Reader {
- public:
-  Reader(const std::string& bytes, std::deque<std::string>& words) : left_(bytes), words_(words) {}
+  void raw(void* value, std::size_t size) {
+    if (!reads) bytes.append(static_cast<const char*>(value), size);
+    if (reads && size > bytes.size() - at) throw std::runtime_error("the worker's answer is cut");
+    if (reads) bytes.copy(static_cast<char*>(value), size, at);
+    at += size;
+  }
   template <class T>
   void item(T& value) {
-    std::memcpy(&value, taken(sizeof value).data(), sizeof value);
+    static_assert(std::is_trivially_copyable_v<T>);
+    raw(&value, sizeof value);
   }
-  void item(const char*& words) {
-    std::size_t size = 0;
-    item(size);
-    words = words_.emplace_back(taken(size)).c_str();
+  void item(const char*& text) {
+    std::string copy = !reads && text ? text : "";
+    size(copy);
+    raw(copy.data(), copy.size());
+    if (reads) text = words->emplace_back(std::move(copy)).c_str();
   }
   template <class List>
   void size(List& list) {
-    std::size_t count = 0;
+    std::size_t count = list.size();
     item(count);
-    if (count > left_.size()) cut();
+    if (reads && count > bytes.size() - at) throw std::runtime_error("the worker's answer is cut");
     list.resize(count);
   }
-
- private:
-  [[noreturn]] static void cut() { throw std::runtime_error("the worker's answer is cut"); }
-  std::string_view taken(std::size_t size) {
-    if (size > left_.size()) cut();
-    const std::string_view found = left_.substr(0, size);
-    left_.remove_prefix(size);
-    return found;
-  }
-  std::string_view left_;
-  std::deque<std::string>& words_;
 };
 
-/// Of both, in the same order.
-template <class Archive>
-void pass(Archive& archive, UnpackedTable& t) {
-  const auto all = [&](auto&... items) { (archive.item(items), ...); };
+void pass(Pack& pack, UnpackedTable& t) {
+  const auto all = [&](auto&... items) { (pack.item(items), ...); };
   all(t.table.name, t.table.version, t.table.licence, t.table.doc, t.table.symmetry, t.table.flags);
-  archive.size(t.parameters);
+  pack.size(t.parameters);
   for (assay_parameter& p : t.parameters) all(p.name, p.unit, p.doc, p.default_value, p.lower, p.upper);
-  archive.size(t.state);
+  pack.size(t.state);
   for (assay_state_variable& v : t.state) all(v.name, v.unit, v.doc, v.kind, v.role);
-  archive.size(t.example);
+  pack.size(t.example);
   for (double& value : t.example) all(value);
   all(t.offered, t.material_class);
 }
@@ -104,14 +84,14 @@ std::string packed(const assay_material& table) {
   if (example && example->parameters) t.example.assign(example->parameters, example->parameters + t.parameters.size());
   const auto* symmetry = values_of<assay_symmetry>(table, ASSAY_EXTENSION_SYMMETRY);
   if (symmetry) t.material_class = symmetry->material_class;
-  Writer writer;
-  pass(writer, t);
-  return writer.out;
+  Pack pack;
+  pass(pack, t);
+  return pack.bytes;
 }
 
 void unpack(const std::string& bytes, UnpackedTable& out) {
-  Reader reader(bytes, out.words);
-  pass(reader, out);
+  Pack pack{bytes, true, &out.words};
+  pass(pack, out);
   out.table.abi_major = ASSAY_ABI_MAJOR;
   out.table.struct_size = sizeof(assay_material);
   out.table.parameter_count = static_cast<std::uint32_t>(out.parameters.size());

@@ -5,7 +5,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
+#include <span>
+#include <vector>
 
 #include "adapters/worker/hand_over.hpp"
 #include "harness/assay_material.h"
@@ -28,13 +29,17 @@ int run_worker(const std::function<void(WorkerFloor&)>& work);
 std::uint32_t next_request(Control& control);
 void answer(Control& control);
 
-/// What a worker that cannot find its model says of that: the parts of an error at a key of the description.
-struct ModelRefused {
-  std::string key, what, known;
-};
-
 /// Finds the table with `find`, which may throw ModelRefused or std::exception, and answers until the process ends.
 void serve_model(WorkerFloor& floor, const std::function<const assay_material*()>& find);
+
+/// A worker's model as the histories that are taken in the worker call it: it answers tasks of
+/// harness/history/history_task.hpp. The arrays of each of its calls lie between fences in the memory that is shared,
+/// where the host finds them if the worker dies of it.
+using FencedModel = std::function<std::vector<double>(std::span<const double> task)>;
+
+/// Of an instance of the table; both outlive it.
+FencedModel fenced_model(const assay_material& table, void* self, std::span<const double> parameters,
+                         const WorkerFloor& floor);
 
 /// Made before any foreign code. While it lives, points of batches are marked for the host, and what calls do to the
 /// process is looked at. One at a time.

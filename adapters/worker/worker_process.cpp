@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <system_error>
 
 #include "adapters/process/shortage.hpp"
@@ -26,8 +25,16 @@ std::string worker_program() {
 
 namespace {
 
-/// With a group of its own, which the terminal's Ctrl-C does not end.
-pid_t spawned(const std::string& program, const posix_spawn_file_actions_t& files) {
+/// With a group of its own, which the terminal's Ctrl-C does not end. The numbers of our files are high, so that none
+/// lies where another goes.
+pid_t started(const WorkerStart& start, const SharedMemory& memory, int lifeline) {
+  if (start.task.size() >= task_size) throw std::system_error(E2BIG, std::generic_category(), "the task");
+  std::memcpy(static_cast<char*>(memory.data()) + task_offset, start.task.c_str(), start.task.size() + 1);
+  posix_spawn_file_actions_t files;
+  ::posix_spawn_file_actions_init(&files);
+  ::posix_spawn_file_actions_adddup2(&files, memory.file(), memory_file);
+  ::posix_spawn_file_actions_adddup2(&files, lifeline, lifeline_file);
+  if (start.columns >= 0) ::posix_spawn_file_actions_adddup2(&files, start.columns, columns_file);
   sigset_t none, all;
   ::sigemptyset(&none);
   ::sigfillset(&all);
@@ -37,27 +44,15 @@ pid_t spawned(const std::string& program, const posix_spawn_file_actions_t& file
   ::posix_spawnattr_setsigdefault(&attributes, &all);
   ::posix_spawnattr_setpgroup(&attributes, 0);
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+  const std::string program = worker_program();
   char name[] = "assay", verb[] = "worker";
   char* words[] = {name, verb, nullptr};
   pid_t child = -1;
   const int failed = ::posix_spawn(&child, program.c_str(), &files, &attributes, words, environ);
   ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&files);
   if (failed) throw std::system_error(failed, std::generic_category(), "'" + program + "' cannot be started");
   return child;
-}
-
-/// The numbers of our files are high, so that none lies where another goes.
-pid_t started(const WorkerStart& start, const SharedMemory& memory, int lifeline) {
-  if (start.task.size() >= task_size) throw std::system_error(E2BIG, std::generic_category(), "the task");
-  std::memcpy(static_cast<char*>(memory.data()) + task_offset, start.task.c_str(), start.task.size() + 1);
-  posix_spawn_file_actions_t files;
-  const std::unique_ptr<posix_spawn_file_actions_t, int (*)(posix_spawn_file_actions_t*)> made(
-      &files, ::posix_spawn_file_actions_destroy);
-  ::posix_spawn_file_actions_init(&files);
-  ::posix_spawn_file_actions_adddup2(&files, memory.file(), memory_file);
-  ::posix_spawn_file_actions_adddup2(&files, lifeline, lifeline_file);
-  if (start.columns >= 0) ::posix_spawn_file_actions_adddup2(&files, start.columns, columns_file);
-  return spawned(worker_program(), files);
 }
 
 }  // namespace

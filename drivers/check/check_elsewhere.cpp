@@ -14,7 +14,6 @@
 #include <system_error>
 
 #include "adapters/foreign/foreign_table.hpp"
-#include "adapters/process/forked.hpp"
 #include "adapters/process/kept_process.hpp"
 #include "drivers/system/own_files.hpp"
 #include "harness/material/own_process.hpp"

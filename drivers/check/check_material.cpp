@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "adapters/foreign/written_inputs.hpp"
-#include "adapters/process/printed.hpp"
+#include "adapters/process/fate.hpp"
 #include "adapters/process/process_watch.hpp"
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/check/replay.hpp"

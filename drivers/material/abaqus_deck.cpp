@@ -2,8 +2,6 @@
 #include "drivers/material/abaqus_deck.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <map>
 
 #include "drivers/format/number_slips.hpp"
 #include "drivers/text/numbers.hpp"
@@ -25,8 +23,7 @@ bool is_section(const DeckBlock& block) { return block.is(solid_section) || bloc
 bool tells_of_material(const DeckBlock& block) {
   constexpr Keyword others[] = {material_keyword, user_material,      depvar,
                                 density_keyword,  initial_conditions, parameter};
-  return is_section(block) ||
-         std::any_of(std::begin(others), std::end(others), [&](const Keyword& k) { return block.is(k); });
+  return is_section(block) || std::ranges::any_of(others, [&](const Keyword& k) { return block.is(k); });
 }
 
 /// "K = 1000." of *Parameter; what is no number is left to whoever uses it.
@@ -208,30 +205,30 @@ std::string names_of_materials(const std::vector<DeckMaterial>& materials) {
 }
 
 void add_remarks(const std::vector<DeckBlock>& blocks, DeckMaterial& material) {
+  const auto is_turned = [&](const DeckBlock& block) {
+    return is_section(block) && !block.value("orientation").empty() &&
+           small_letters(block.value("material")) == small_letters(material.name);
+  };
+  const auto gives_state = [](const DeckBlock& block) {
+    return block.is(initial_conditions) && small_letters(block.value("type")) == "solution";
+  };
   const auto note_first = [&](const auto& holds, const std::string& what) {
-    const auto block = std::find_if(blocks.begin(), blocks.end(), holds);
+    const auto block = std::ranges::find_if(blocks, holds);
     if (block != blocks.end()) material.notes.push_back(block->where.text() + what);
   };
-  note_first(
-      [&](const DeckBlock& block) {
-        return is_section(block) && !block.value("orientation").empty() &&
-               small_letters(block.value("material")) == small_letters(material.name);
-      },
-      ": it is used with an *Orientation, under which Abaqus turns the axes of a UMAT with the body: axes: "
-      "corotational "
-      "would do the same");
-  note_first(
-      [](const DeckBlock& block) {
-        return block.is(initial_conditions) && small_letters(block.value("type")) == "solution";
-      },
-      ": *Initial Conditions give values of STATEV, which are not taken: write them as the initial values of `state`");
+  note_first(is_turned,
+             ": it is used with an *Orientation, under which Abaqus turns the axes of a UMAT with the body: axes: "
+             "corotational would do the same");
+  note_first(gives_state,
+             ": *Initial Conditions give values of STATEV, which are not taken: write them as the initial values of "
+             "`state`");
 }
 
 }  // namespace
 
 std::optional<double> deck_number(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
+  std::ranges::replace_if(
+      text, [](char c) { return small_letter(c) == 'd'; }, 'e');
   return text.starts_with(".inf") || text.starts_with(".nan") ? std::nullopt : parse_number(text);
 }
 
@@ -248,9 +245,8 @@ DeckMaterial read_deck(const std::string& file, const std::string& asked, const 
     throw InputError({file}, "", "has several materials with *User Material: choose one by " + key,
                      names_of_materials(all));
   }
-  const auto found = asked.empty() ? all.begin() : std::find_if(all.begin(), all.end(), [&](const DeckMaterial& each) {
-    return small_letters(each.name) == small_letters(asked);
-  });
+  const auto is_asked = [&](const DeckMaterial& each) { return small_letters(each.name) == small_letters(asked); };
+  const auto found = asked.empty() ? all.begin() : std::ranges::find_if(all, is_asked);
   if (found == all.end()) {
     throw InputError({file}, "", "has no material '" + one_line(asked, 80) + "' with *User Material",
                      names_of_materials(all));

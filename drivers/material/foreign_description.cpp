@@ -40,13 +40,9 @@ YamlRow unit_row(const char* name, double& value, const std::vector<UnitWord>& u
 }
 
 YamlRows rows_of(adapters::ModelUnits& units) {
+  constexpr double psi = 6894.757293168361, ksi = 6894757.293168361;  // [Pa]
   return {unit_row("stress", units.stress,
-                   {{"Pa", 1},
-                    {"kPa", 1e3},
-                    {"MPa", 1e6},
-                    {"GPa", 1e9},
-                    {"psi", 6894.757293168361},
-                    {"ksi", 6894757.293168361}}),
+                   {{"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}, {"psi", psi}, {"ksi", ksi}}),
           unit_row("time", units.time, {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}, {"h", 3600}}),
           unit_row("length", units.length, {{"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"um", 1e-6}, {"in", 0.0254}})};
 }

@@ -25,8 +25,7 @@ std::optional<double> number_in(const Tree& tree) {
 
 template <class T>
 void refuse_twice(const std::vector<T>& list, const std::string& name, const std::string& key, const Tree& tree) {
-  const auto same = [&](const T& other) { return other.name == name; };
-  if (std::any_of(list.begin(), list.end(), same)) refuse_value(tree, key + "." + one_line(name, 80), "is there twice");
+  if (adapters::has_name(list, name)) refuse_value(tree, key + "." + one_line(name, 80), "is there twice");
 }
 
 /// A block of lines, "  name: {...}" of each.
@@ -42,55 +41,48 @@ YamlRows rows_of(ForeignProperty& p) {
           number_row("upper", p.upper), text_row("doc", p.doc)};
 }
 
-class PropertyReader {
- public:
-  PropertyReader(ForeignModel& model, Places& where) : properties_(model.properties), where_(where) {}
+ForeignProperty& add_property(const std::string& name, double value, const Tree& tree, ForeignModel& model,
+                              Places& where) {
+  refuse_twice(model.properties, name, "properties", tree);
+  if (name.empty()) refuse_value(tree, "properties", "a property needs a name");
+  where["properties." + name] = tree.where;
+  model.properties.push_back({name, "", "", value});
+  return model.properties.back();
+}
 
-  void read(const Tree& tree) {
-    for (std::size_t k = 0; k < tree.items.size(); ++k) add_item(tree.items[k], "p" + std::to_string(k + 1));
-    if (tree.kind == Tree::Kind::sequence) return;
-    if (const std::string list = list_remedy(tree, 0); !list.empty())
-      refuse_value(tree, "properties", "must be a list or a map, found " + described(tree) + list);
-    require_map(tree, "properties", "the properties of the model, in its order: names and values");
-    for (const auto& [name, name_where, value] : tree.entries) {
-      const std::string key = "properties." + one_line(name, 80);
-      const bool is_null = value.kind == Tree::Kind::null, is_map = value.kind == Tree::Kind::map;
-      if (is_null && name.find('=') != name.npos) throw InputError(name_where, key, "is no name" + key_remedy(name));
-      ForeignProperty& p = add(name, is_null || is_map ? NAN : number_value(value, key), value);
-      if (is_map) read_only_rows(value, key, rows_of(p));
-      if (p.lower > p.upper) refuse_value(value, key, "has bounds that leave nothing: lower is above upper");
-      if (p.value < p.lower || p.value > p.upper) refuse_value(value, key, "has a value outside of its own bounds");
-    }
+/// A number that is written otherwise is no name, nor is "E=1000", or a map behind a hyphen.
+void read_listed_property(const Tree& item, const std::string& name, ForeignModel& model, Places& where) {
+  const std::string key = "properties." + name, what = "must be a number or a name";
+  const bool is_scalar = item.kind == Tree::Kind::scalar;
+  if (number_in(item)) {
+    add_property(name, number_value(item, key), item, model, where);
+    return;
   }
+  if (item.kind == Tree::Kind::map) refuse_value(item, key, what + ": keys with values stand without '-'");
+  if (is_scalar && item.text.find('=') != item.text.npos)
+    refuse_value(item, key, what + ", found " + described(item) + ": names with values are a map, {E: 1000}");
+  if (is_scalar && !item.quoted && item.text.find_first_of("0123456789.+-") == 0)
+    refuse_value(item, key, what + ", found " + described(item) + number_remedy(item));
+  add_property(text_value(item, key), NAN, item, model, where);
+}
 
- private:
-  /// A number that is written otherwise is no name, nor is "E=1000", or a map behind a hyphen.
-  void add_item(const Tree& item, const std::string& name) {
-    const std::string key = "properties." + name, what = "must be a number or a name";
-    const bool is_scalar = item.kind == Tree::Kind::scalar;
-    if (number_in(item)) {
-      add(name, number_value(item, key), item);
-      return;
-    }
-    if (item.kind == Tree::Kind::map) refuse_value(item, key, what + ": keys with values stand without '-'");
-    if (is_scalar && item.text.find('=') != item.text.npos)
-      refuse_value(item, key, what + ", found " + described(item) + ": names with values are a map, {E: 1000}");
-    if (is_scalar && !item.quoted && item.text.find_first_of("0123456789.+-") == 0)
-      refuse_value(item, key, what + ", found " + described(item) + number_remedy(item));
-    add(text_value(item, key), NAN, item);
+void read_properties(const Tree& tree, ForeignModel& model, Places& where) {
+  for (std::size_t k = 0; k < tree.items.size(); ++k)
+    read_listed_property(tree.items[k], "p" + std::to_string(k + 1), model, where);
+  if (tree.kind == Tree::Kind::sequence) return;
+  if (const std::string list = list_remedy(tree, 0); !list.empty())
+    refuse_value(tree, "properties", "must be a list or a map, found " + described(tree) + list);
+  require_map(tree, "properties", "the properties of the model, in its order: names and values");
+  for (const auto& [name, name_where, value] : tree.entries) {
+    const std::string key = "properties." + one_line(name, 80);
+    const bool is_null = value.kind == Tree::Kind::null, is_map = value.kind == Tree::Kind::map;
+    if (is_null && name.find('=') != name.npos) throw InputError(name_where, key, "is no name" + key_remedy(name));
+    ForeignProperty& p = add_property(name, is_null || is_map ? NAN : number_value(value, key), value, model, where);
+    if (is_map) read_only_rows(value, key, rows_of(p));
+    if (p.lower > p.upper) refuse_value(value, key, "has bounds that leave nothing: lower is above upper");
+    if (p.value < p.lower || p.value > p.upper) refuse_value(value, key, "has a value outside of its own bounds");
   }
-
-  ForeignProperty& add(const std::string& name, double value, const Tree& tree) {
-    refuse_twice(properties_, name, "properties", tree);
-    if (name.empty()) refuse_value(tree, "properties", "a property needs a name");
-    where_["properties." + name] = tree.where;
-    properties_.push_back({name, "", "", value});
-    return properties_.back();
-  }
-
-  std::vector<ForeignProperty>& properties_;
-  Places& where_;
-};
+}
 
 const std::vector<std::string> kinds = words_of<ForeignVariable::Kind>();
 
@@ -161,7 +153,7 @@ void read_state(const Tree& tree, ForeignModel& model, Places& where) {
 }  // namespace
 
 YamlRow properties_row(ForeignModel& model, Places& where) {
-  return {"properties", [&](const Tree& tree, const std::string&) { PropertyReader(model, where).read(tree); },
+  return {"properties", [&](const Tree& tree, const std::string&) { read_properties(tree, model, where); },
           [&] { return block_of(model.properties, [](ForeignProperty& p) { return rows_of(p); }); }};
 }
 

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -13,6 +12,7 @@
 
 #include "adapters/process/shortage.hpp"
 #include "drivers/material/tool_process.hpp"
+#include "drivers/system/environment.hpp"
 #include "drivers/system/whole_file.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
@@ -71,8 +71,8 @@ void provide_includes(const FortranSource& source, const fs::path& folder) {
 
 /// Whether gfortran is given another text than that of the files.
 bool is_adapted(const FortranSource& source) {
-  return !source.adapted.empty() || std::any_of(source.includes.begin(), source.includes.end(),
-                                                [](const IncludedFile& each) { return !each.adapted.empty(); });
+  const auto has_other_text = [](const IncludedFile& each) { return !each.adapted.empty(); };
+  return !source.adapted.empty() || std::ranges::any_of(source.includes, has_other_text);
 }
 
 /// "./model.f:4:72: Error: Syntax error in argument list at (1)".
@@ -87,8 +87,7 @@ const std::vector<std::string> of_errors{": Error: ", ": Fatal Error: "}, of_war
 std::vector<CompilerMessage> messages_in(const std::string& said, const std::vector<std::string>& kinds) {
   std::vector<CompilerMessage> messages;
   for (const std::string& line : split(said, '\n')) {
-    const auto kind =
-        std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return line.find(k) != line.npos; });
+    const auto kind = std::ranges::find_if(kinds, [&](const auto& k) { return line.find(k) != line.npos; });
     if (kind == kinds.end()) continue;
     const std::size_t at = line.find(*kind);
     Location where{line.substr(0, at)};
@@ -146,8 +145,7 @@ std::string with_character_named(const FortranSource& source, int line, const st
 }  // namespace
 
 FortranCompiler find_fortran_compiler(const std::string& file) {
-  const char* named = std::getenv("FC");
-  std::istringstream words(named ? named : "");
+  std::istringstream words(environment_value("FC"));
   std::string choice;
   words >> choice;
   FortranCompiler compiler;

@@ -40,14 +40,11 @@ std::vector<std::string> parts_of(const std::string& text) {
 
 /// "subroutineumat(a,b)", behind recursive, pure and the like.
 bool begins_subroutine(std::string text, FortranRoutine& routine) {
-  for (bool goes_on = true; goes_on;) {
-    goes_on = false;
-    for (const char* prefix : {"recursive", "pure", "impure", "elemental", "module"}) {
-      if (!text.starts_with(prefix)) continue;
-      text.erase(0, std::string_view(prefix).size());
-      goes_on = true;
-    }
-  }
+  constexpr std::string_view prefixes[] = {"recursive", "pure", "impure", "elemental", "module"};
+  const auto prefix = [&] {
+    return std::ranges::find_if(prefixes, [&](std::string_view each) { return text.starts_with(each); });
+  };
+  for (auto found = prefix(); found != std::end(prefixes); found = prefix()) text.erase(0, found->size());
   constexpr std::string_view word = "subroutine";
   if (!text.starts_with(word)) return false;
   const std::size_t open = std::min(text.find('('), text.size());

@@ -82,9 +82,7 @@ void require_text(const std::string& bytes, const std::string& file, const Locat
 /// Adds what some lines include, and what that includes.
 void add_includes(const std::vector<std::string>& lines, FortranSource& source) {
   for (const FortranInclude& include : includes_of(lines, source.form.form)) {
-    const auto known = std::find_if(source.includes.begin(), source.includes.end(),
-                                    [&](const IncludedFile& each) { return each.name == include.name; });
-    if (known != source.includes.end()) continue;
+    if (std::ranges::count(source.includes, include.name, &IncludedFile::name) > 0) continue;
     const std::string path = file_beside(fs::path(source.file).parent_path(), include.name);
     const std::string bytes = path.empty() ? abaqus_include(include.name) : read_bytes(path, largest_source);
     if (bytes.empty() && path.empty()) continue;  // the compiler says what is missing
@@ -134,8 +132,8 @@ FortranSource read_fortran_source(const std::string& file, const Location& where
   if (source.lines != said) source.adapted = text_of_lines(source.lines);
   const std::string ending = fs::path(file).extension().string();
   const bool capital = ending.size() > 1 && is_letter(ending[1]) && small_letter(ending[1]) != ending[1];
-  source.preprocessed = capital || std::any_of(source.lines.begin(), source.lines.end(),
-                                               [](const std::string& line) { return line.starts_with('#'); });
+  const auto is_directive = [](const std::string& line) { return line.starts_with('#'); };
+  source.preprocessed = capital || std::ranges::any_of(source.lines, is_directive);
   source.statements = statements_of(source.lines, source.form.form);
   const ColumnReadings readings = columns_of(said, source.form, form_by_name(file));
   source.warnings = column_sentences(readings, file);
@@ -144,6 +142,26 @@ FortranSource read_fortran_source(const std::string& file, const Location& where
   if (!readings.cut.empty()) source.cut_line = readings.cut.front().line;
   add_includes(source.lines, source);
   return source;
+}
+
+std::string source_beside(const std::string& deck, const Location& where, const std::string& key) {
+  const fs::path path(deck);
+  std::error_code code;
+  if (!fs::exists(path, code)) throw InputError(where, key, "no such file: '" + deck + "'");
+  std::vector<std::string> found;
+  for (fs::directory_iterator at(path.parent_path(), code), end; !code && at != end; at.increment(code)) {
+    const bool named = at->path().stem() == path.stem() && is_fortran_source(at->path().string());
+    if (std::error_code unknown_kind; named && at->is_regular_file(unknown_kind)) found.push_back(at->path().string());
+  }
+  std::sort(found.begin(), found.end());
+  if (found.size() == 1) return found.front();
+  const std::string stem = path.stem().string();
+  throw InputError(where, key,
+                   "'" + deck +
+                       (found.empty() ? "' has no Fortran source beside it: " + stem + ".f, " + stem + ".for, ..."
+                                      : "' has several Fortran sources beside it") +
+                       "; assay check takes SOURCE --deck " + path.filename().string(),
+                   joined(found));
 }
 
 std::string abaqus_include(const std::string& name) {

@@ -39,6 +39,9 @@ struct FortranSource {
 /// Throws InputError at `where`, `key`: missing, no text, too long.
 FortranSource read_fortran_source(const std::string& file, const Location& where, const std::string& key);
 
+/// The source of the same name beside a deck. Throws InputError at `where`, `key` where there is none, or several.
+std::string source_beside(const std::string& deck, const Location& where, const std::string& key);
+
 /// The text of a file that Abaqus provides, by its name in any letters: ABA_PARAM.INC, VABA_PARAM.INC,
 /// SMAAspUserSubroutines.hdr and its like; empty for any other name.
 std::string abaqus_include(const std::string& name);

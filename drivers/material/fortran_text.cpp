@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/numbers.hpp"

@@ -6,7 +6,6 @@
 
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/material/registry.hpp"
-#include "drivers/system/input_error.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
 #include "harness/check/symmetry_class.hpp"

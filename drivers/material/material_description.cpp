@@ -2,9 +2,6 @@
 #include "drivers/material/material_description.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
-#include <iterator>
 
 #include "adapters/elf_symbols.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
@@ -163,6 +160,27 @@ void refuse_subroutines(const MaterialDescription& description, const std::vecto
   }
 }
 
+std::string yaml_of(const MaterialDescription& description, bool by_library) {
+  std::string text = by_library ? "library: " + yaml_scalar(description.library) + "\n" : "";
+  if (!description.source.empty()) text += "source: " + yaml_scalar(description.source) + "\n";
+  if (!description.link.empty()) text += "link: " + yaml_list(description.link) + "\n";
+  if (!description.name.empty()) text += "name: " + yaml_scalar(description.name) + "\n";
+  text += description.foreign ? foreign_yaml(*description.foreign) : "interface: native\n";
+  if (!description.parameters.empty()) text += "parameters:\n";
+  for (const auto& [name, value] : description.parameters) {
+    text += "  " + yaml_scalar(name) + ": " + yaml_number(value) + "\n";
+  }
+  const adapters::WorkerLimits usual, own = description.limits;
+  if (own.seconds != usual.seconds) text += "time_limit: " + yaml_number(own.seconds) + "\n";
+  if (own.gigabytes != usual.gigabytes) text += "memory_limit: " + yaml_number(own.gigabytes) + "\n";
+  if (description.density) text += "density: " + yaml_number(*description.density) + "\n";
+  if (!description.files.empty()) text += "files:\n";
+  for (const ModelFile& file : description.files) {
+    text += "  " + yaml_scalar(file.name) + ": " + yaml_scalar(file.path) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 MaterialDescription read_description(const std::string& file) { return read_description(read_bytes(file), file); }
@@ -197,31 +215,6 @@ MaterialDescription read_description(const std::string& text, const std::string&
   }
   return description;
 }
-
-namespace {
-
-std::string yaml_of(const MaterialDescription& description, bool by_library) {
-  std::string text = by_library ? "library: " + yaml_scalar(description.library) + "\n" : "";
-  if (!description.source.empty()) text += "source: " + yaml_scalar(description.source) + "\n";
-  if (!description.link.empty()) text += "link: " + yaml_list(description.link) + "\n";
-  if (!description.name.empty()) text += "name: " + yaml_scalar(description.name) + "\n";
-  text += description.foreign ? foreign_yaml(*description.foreign) : "interface: native\n";
-  if (!description.parameters.empty()) text += "parameters:\n";
-  for (const auto& [name, value] : description.parameters) {
-    text += "  " + yaml_scalar(name) + ": " + yaml_number(value) + "\n";
-  }
-  const adapters::WorkerLimits usual, own = description.limits;
-  if (own.seconds != usual.seconds) text += "time_limit: " + yaml_number(own.seconds) + "\n";
-  if (own.gigabytes != usual.gigabytes) text += "memory_limit: " + yaml_number(own.gigabytes) + "\n";
-  if (description.density) text += "density: " + yaml_number(*description.density) + "\n";
-  if (!description.files.empty()) text += "files:\n";
-  for (const ModelFile& file : description.files) {
-    text += "  " + yaml_scalar(file.name) + ": " + yaml_scalar(file.path) + "\n";
-  }
-  return text;
-}
-
-}  // namespace
 
 std::string description_yaml(const MaterialDescription& description) { return yaml_of(description, true); }
 

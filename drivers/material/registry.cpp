@@ -2,7 +2,6 @@
 #include "drivers/material/registry.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <system_error>
@@ -15,11 +14,8 @@
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/material/fortran_compiler.hpp"
 #include "drivers/material/fortran_text.hpp"
-#include "drivers/material/material_description.hpp"
 #include "drivers/material/source_description.hpp"
-#include "drivers/scene/material_path.hpp"
 #include "drivers/system/environment.hpp"
-#include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/own_files.hpp"
@@ -41,11 +37,6 @@ std::string other_source(const std::string& file) {
   return other ? ": of sources those in Fortran are compiled here; of others build a shared library and name it, as "
                  "`assay new-material` shows"
                : "";
-}
-
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value ? value : "";
 }
 
 MaterialSource from_description(const std::string& file, Isolation isolation) {
@@ -106,7 +97,7 @@ std::vector<RegisteredName> names_in(const std::string& folder, bool description
   return names;
 }
 
-/// Throws adapters::ForeignError, adapters::LibraryError.
+/// Throws adapters::ModelRefused.
 const assay_material* local_table(const MaterialDescription& description) {
   const CallMark mark;
   const PhaseMark phase(CallPhase::loading);
@@ -123,8 +114,8 @@ Location place_of(const std::string& key, const MaterialDescription& description
 }
 
 /// What is wrong, as an error at the key of the description to blame.
-InputError complaint(const MaterialDescription& description, std::string key, const std::string& what,
-                     const std::string& known) {
+InputError complaint(const MaterialDescription& description, std::string key, const adapters::ModelRefused& error) {
+  const std::string what = error.what();
   const bool of_library = key == "library" || key == "name" || key.empty();
   const bool absent = what == adapters::no_such_library && description.library_key == "library";
   const Location where = place_of(key, description);
@@ -135,11 +126,7 @@ InputError complaint(const MaterialDescription& description, std::string key, co
                     (of_library ? "'" + (of_source ? description.source : description.library) + "' " : "") + what +
                         (lacks_a_routine ? ", which `link` may bring" : "") +
                         (absent ? ", and none of that name in $ASSAY_MATERIAL_PATH" : ""),
-                    known);
-}
-
-adapters::ModelRefused refusal_of(const MaterialDescription& description, const adapters::LibraryError& error) {
-  return {description.name.empty() || description.foreign ? "library" : "name", error.what(), error.known()};
+                    error.known());
 }
 
 const assay_material* table_here(const MaterialDescription& description) {
@@ -152,11 +139,10 @@ const assay_material* table_here(const MaterialDescription& description) {
     if (error.code() == std::errc::too_many_files_open) require_open_files(open_files);
     require_temporary_folder();
     throw SystemError(std::string("a library cannot be tried: ") + error.what());
-  } catch (const adapters::ForeignError& error) {
-    throw complaint(description, error.key(), error.what(), error.known());
   } catch (const adapters::LibraryError& error) {
-    const adapters::ModelRefused refused = refusal_of(description, error);
-    throw complaint(description, refused.key, refused.what, refused.known);
+    throw complaint(description, description.name.empty() || description.foreign ? "library" : "name", error);
+  } catch (const adapters::ModelRefused& error) {
+    throw complaint(description, error.key(), error);
   }
 }
 
@@ -172,9 +158,9 @@ const assay_material* table_in_worker(const MaterialDescription& description, co
   }
   try {
     return adapters::remote_table(start);
-  } catch (const adapters::RemoteError& error) {
+  } catch (const adapters::ModelRefused& error) {
     stop_if_interrupted();
-    throw complaint(description, error.refused.key, error.refused.what, error.refused.known);
+    throw complaint(description, error.key(), error);
   } catch (const std::system_error& error) {
     throw SystemError(std::string("a worker cannot be started: ") + error.what());
   }
@@ -193,18 +179,9 @@ std::size_t numbered_parameters(const std::map<std::string, double>& given) {
 }
 
 std::string registry_folder() {
-  std::string home = environment("ASSAY_DATA_HOME");
-  if (!home.empty() && !home.starts_with('/')) {
+  const std::string home = own_folder("ASSAY_DATA_HOME", "XDG_DATA_HOME", "/.local/share");
+  if (!home.empty() && !home.starts_with('/'))
     throw InputError({}, "ASSAY_DATA_HOME", "must be an absolute path, found '" + one_line(home, 200) + "'");
-  }
-  if (home.empty()) {
-    const std::string data = environment("XDG_DATA_HOME"), user = environment("HOME");
-    if (data.starts_with('/')) {  // the XDG specification: relative paths are to be ignored
-      home = data + "/assay";
-    } else if (user.starts_with('/')) {
-      home = user + "/.local/share/assay";
-    }
-  }
   return home.empty() ? std::string() : fs::path(home).lexically_normal().string() + "/materials";
 }
 
@@ -249,19 +226,11 @@ MaterialSource source_of(const MaterialDescription& description, const std::stri
   note_input(description.library);
   if (!description.source.empty()) note_input(description.source);
   for (const ModelFile& model_file : description.files) note_input(model_file.path);
-  MaterialSource source;
+  MaterialSource source{description};
   const bool own_process = description.foreign || !description.files.empty();
   const bool apart = isolation == Isolation::worker || (isolation == Isolation::automatic && own_process);
   source.isolation = apart ? Isolation::worker : Isolation::none;
   source.table = apart ? table_in_worker(description, file) : table_here(description);
-  source.foreign = description.foreign;
-  source.library = description.library;
-  source.parameters = description.parameters;
-  source.parameter_where = description.parameter_where;
-  source.density = description.density;
-  source.source = description.source;
-  source.files = description.files;
-  source.warnings = description.warnings;
   return source;
 }
 
@@ -273,15 +242,7 @@ const assay_material* table_of_task(const std::string& task) {
 }
 
 void serve_material(adapters::WorkerFloor& floor, const std::string& task) {
-  adapters::serve_model(floor, [&]() -> const assay_material* {
-    try {
-      return table_of_task(task);
-    } catch (const adapters::ForeignError& error) {
-      throw adapters::ModelRefused{error.key(), error.what(), error.known()};
-    } catch (const adapters::LibraryError& error) {
-      throw adapters::ModelRefused{"library", error.what(), error.known()};
-    }
-  });
+  adapters::serve_model(floor, [&] { return table_of_task(task); });
 }
 
 }  // namespace assay::drivers

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,19 +15,11 @@
 
 namespace assay::drivers {
 
-/// A material that was found.
-struct MaterialSource {
+/// A material that was found: its description, which is empty but for the table where it is built in.
+struct MaterialSource : MaterialDescription {
   const assay_material* table = nullptr;
-  std::string library;                       ///< absolute path of the shared library; empty: built in
-  std::string description;                   ///< the YAML file that led to it; empty: none
-  std::map<std::string, double> parameters;  ///< the description's, in place of the material's defaults
-  std::map<std::string, Location> parameter_where;
-  std::optional<double> density;  ///< the description's rho0 [kg/m^3]
+  std::string description = {};  ///< the YAML file that led to it; empty: none
   Isolation isolation = Isolation::none;
-  std::optional<adapters::ForeignModel> foreign = {};  ///< behind an interface that its library alone does not tell
-  std::string source = {};                             ///< the Fortran source of its library; empty: none
-  std::vector<ModelFile> files = {};                   ///< for the folder of a process of its own
-  std::vector<std::string> warnings = {};              ///< sentences on the source that it was compiled from
 };
 
 /// A name that can be asked for. `file`: the library or description; empty: built in.

@@ -4,40 +4,20 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "adapters/elf_symbols.hpp"
-#include "drivers/material/abaqus_deck.hpp"
+#include "drivers/format/yaml_writer.hpp"
 #include "drivers/material/fortran_compiler.hpp"
-#include "drivers/material/source_entry.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/text/words.hpp"
+#include "harness/material/material.hpp"
 
 namespace assay::drivers {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// The source of the same name beside a deck.
-std::string source_beside(const std::string& deck, const Location& where, const std::string& key) {
-  const fs::path path(deck);
-  std::error_code code;
-  if (!fs::exists(path, code)) throw InputError(where, key, "no such file: '" + deck + "'");
-  std::vector<std::string> found;
-  for (fs::directory_iterator at(path.parent_path(), code), end; !code && at != end; at.increment(code)) {
-    const bool named = at->path().stem() == path.stem() && is_fortran_source(at->path().string());
-    if (std::error_code unknown_kind; named && at->is_regular_file(unknown_kind)) found.push_back(at->path().string());
-  }
-  std::sort(found.begin(), found.end());
-  if (found.size() == 1) return found.front();
-  const std::string stem = path.stem().string();
-  throw InputError(where, key,
-                   "'" + deck +
-                       (found.empty() ? "' has no Fortran source beside it: " + stem + ".f, " + stem + ".for, ..."
-                                      : "' has several Fortran sources beside it") +
-                       "; assay check takes SOURCE --deck " + path.filename().string(),
-                   joined(found));
-}
 
 /// "; model.inp beside it may have them: --deck model.inp".
 std::string deck_hint(const std::string& source) {
@@ -47,41 +27,45 @@ std::string deck_hint(const std::string& source) {
   return "; " + deck.filename().string() + " beside it may have them: --deck " + deck.filename().string();
 }
 
+/// In a comment: no line end, whatever a path holds.
+std::string comment(const std::string& text) { return "# " + one_line(text) + "\n"; }
+
+std::string with_comment(const std::string& line, const std::string& text) {
+  constexpr std::size_t column = 26;
+  if (text.empty()) return line + "\n";
+  return line + std::string(line.size() < column ? column - line.size() : 1, ' ') + comment(text);
+}
+
 class Describer {
  public:
   Describer(const std::string& file, const SourceRequest& request, const Location& where, const std::string& key)
       : request_(request), where_(where), key_(key) {
     const bool by_deck = is_deck(file);
     const std::string source = by_deck ? source_beside(file, where, key) : file;
-    const std::string deck = by_deck ? file : request.deck;
+    deck_file_ = by_deck ? file : request.deck;
     source_ = read_fortran_source(source, where, key);
     source_.link = request.link;
-    if (!deck.empty()) deck_ = read_deck(deck, request.material, request.material_key);
+    if (!deck_file_.empty()) deck_ = read_deck(deck_file_, request.material, request.material_key);
     library_ = library_of_source(source_);
     entry_ = entry_of_source(source_, adapters::exported_symbols(library_.file), request.symbol, request.symbol_key);
     facts_ = facts_of(source_, entry_);
-    yaml_.source = source;
-    yaml_.deck = deck;
+    name_ = as_name(fs::path(source).stem().string());
   }
 
   SourceDescription described() {
     SourceDescription result;
-    yaml_.name = result.name = as_name(fs::path(source_.file).stem().string());
-    yaml_.entry = entry_;
-    yaml_.facts = facts_;
-    yaml_.link = request_.link;
-    yaml_.material_name = deck_ ? deck_->name : request_.material;
+    result.name = name_;
     take_properties();
     take_state();
-    take_density();
-    result.text = source_yaml(yaml_);
+    if (deck_ && deck_->density && *deck_->density > 0) density_ = density_of(*deck_->density);
+    result.text = yaml();
     result.notes = notes();
     result.warnings = source_.warnings;
     if (deck_) append_all(result.warnings, deck_->warnings);
     append_all(result.warnings, library_.warnings);
     append_all(result.warnings, entry_traps(source_, entry_));
-    warn_of_too_few(facts_.props, "PROPS", yaml_.properties.size(), result.warnings);
-    warn_of_too_few(facts_.state, "STATEV", static_cast<std::size_t>(yaml_.state), result.warnings);
+    warn_of_too_few(facts_.props, "PROPS", properties_.size(), result.warnings);
+    warn_of_too_few(facts_.state, "STATEV", static_cast<std::size_t>(state_), result.warnings);
     return result;
   }
 
@@ -97,12 +81,12 @@ class Describer {
   void take_properties() {
     const ArrayUse& use = facts_.props;
     if (request_.props) {
-      yaml_.properties = *request_.props;
-      yaml_.properties_from = "--props";
+      properties_ = *request_.props;
+      properties_from_ = "--props";
       refuse_exchanged_names();
     } else if (deck_) {
-      for (const double value : deck_->constants) yaml_.properties.push_back({"", value});
-      yaml_.properties_from = "*User Material";
+      for (const double value : deck_->constants) properties_.push_back({"", value});
+      properties_from_ = "*User Material";
     } else if (use.used) {
       if (request_.needs_values) {
         throw InputError(
@@ -111,15 +95,15 @@ class Describer {
       }
       refuse_what_is_not_told(use, "PROPS", request_.least_properties > 0);
       const auto count = std::max(static_cast<std::size_t>(use.largest), request_.least_properties);
-      yaml_.properties.assign(count, {"", NAN});
-      yaml_.properties_from = "the source";
+      properties_.assign(count, {"", NAN});
+      properties_from_ = "the source";
     }
   }
 
   /// PROPS are taken by their places: a name that the source has for another place is a slip.
   void refuse_exchanged_names() const {
-    for (std::size_t k = 0; k < yaml_.properties.size(); ++k) {
-      const std::string& name = yaml_.properties[k].name;
+    for (std::size_t k = 0; k < properties_.size(); ++k) {
+      const std::string& name = properties_[k].name;
       for (const auto& [place, own] : facts_.property_names) {
         if (small_letters(name) != small_letters(own) || place == static_cast<int>(k + 1)) continue;
         throw InputError({}, "--props",
@@ -133,20 +117,20 @@ class Describer {
   void take_state() {
     const ArrayUse& use = facts_.state;
     if (request_.statev) {
-      yaml_.state = *request_.statev;
-      yaml_.state_from = "--statev";
+      state_ = *request_.statev;
+      state_from_ = "--statev";
     } else if (deck_) {
-      yaml_.state = deck_->depvar;
-      yaml_.variables = deck_->variables;
-      yaml_.state_from = "*Depvar";
+      state_ = deck_->depvar;
+      variables_ = deck_->variables;
+      state_from_ = "*Depvar";
     } else if (use.used) {
       if (request_.needs_values && !use.whole) {
         throw InputError({source_.file}, "--statev",
                          "required and not given: " + uses_of(use, "STATEV") + deck_hint(source_.file));
       }
       refuse_what_is_not_told(use, "STATEV", false);
-      yaml_.state = use.largest;
-      yaml_.state_from = "the source";
+      state_ = use.largest;
+      state_from_ = "the source";
     }
   }
 
@@ -169,33 +153,100 @@ class Describer {
                        (given == 1 ? "is 1" : "are " + std::to_string(given)));
   }
 
-  void take_density() {
-    if (deck_ && deck_->density && *deck_->density > 0) yaml_.density = density_of(*deck_->density);
-  }
-
   std::vector<std::string> notes() const {
     std::vector<std::string> all{source_note()};
     const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + " " + what; };
-    if (!yaml_.properties_from.empty()) {
-      all.push_back(count(yaml_.properties.size(), "PROPS from ") + yaml_.properties_from + "; " +
+    if (!properties_from_.empty()) {
+      all.push_back(count(properties_.size(), "PROPS from ") + properties_from_ + "; " +
                     uses_of(facts_.props, "PROPS"));
     }
-    if (!yaml_.state_from.empty()) {
+    if (!state_from_.empty()) {
       all.push_back(
-          count(static_cast<std::size_t>(yaml_.state), "STATEV from ") + yaml_.state_from + "; " +
+          count(static_cast<std::size_t>(state_), "STATEV from ") + state_from_ + "; " +
           uses_of(facts_.state, "STATEV") +
-          (yaml_.state >= 6 ? "; all are taken as scalars, because the source does not say which are tensors" : ""));
+          (state_ >= 6 ? "; all are taken as scalars, because the source does not say which are tensors" : ""));
     }
-    if (yaml_.density) all.push_back(yaml_.density->words);
+    if (density_) all.push_back(density_->words);
     all.push_back(assumptions());
     append_all(all, facts_.sentences);
     if (deck_) append_all(all, deck_->notes);
     return all;
   }
 
+  std::string yaml() const {
+    constexpr std::size_t longest_name = 80;  // CMNAME
+    const bool umat = entry_.interface == adapters::ForeignInterface::umat;
+    std::string text = comment("What assay takes " + source_.file + " for" +
+                               (deck_file_.empty() ? "" : ", by " + deck_file_) + ". Made to be edited:");
+    text += comment("assay check, run, register and the other verbs take this file.");
+    for (const std::string& sentence : facts_.sentences) text += comment("Not assumed: " + sentence);
+    text += with_comment("source: " + yaml_scalar(source_.file), "compiled when it has changed");
+    if (!request_.link.empty()) text += with_comment("link: " + yaml_list(request_.link), "of --link");
+    text += "name: " + yaml_scalar(name_) + "\n";
+    text += with_comment(std::string("interface: ") + (umat ? "umat" : "vumat"), "by its entry");
+    text += "symbol: " + yaml_scalar(entry_.symbol) + "\n";
+    text += properties_yaml() + state_yaml();
+    if (umat)
+      text += with_comment("# strain: finite", "where DDSDDE is that of J sigma with Jaumann's rate; small otherwise");
+    text +=
+        with_comment("# flags: [non_smooth]", "what yields, breaks or touches; rate_dependent: what flows with time");
+    const std::string material = deck_ ? deck_->name : request_.material;
+    if (!material.empty())
+      text += "material_name: " + yaml_scalar(capital_letters(material).substr(0, longest_name)) + "\n";
+    if (!density_) return text;
+    text += with_comment("density: " + yaml_number(density_->si), "kg/m^3");
+    if (!density_->stress.empty()) {
+      text += "units: {stress: " + density_->stress + ", length: " + density_->length + "}\n";
+    }
+    return text;
+  }
+
+  std::string properties_yaml() const {
+    if (properties_.empty()) return {};
+    std::string text = with_comment("properties:", "PROPS, in this order, from " + properties_from_);
+    for (std::size_t k = 0; k < properties_.size(); ++k) {
+      const GivenProperty& p = properties_[k];
+      const std::string name = p.name.empty() ? "p" + std::to_string(k + 1) : p.name;
+      const auto known = facts_.property_names.find(static_cast<int>(k + 1));
+      text += with_comment("  " + yaml_scalar(name) + ": " + (std::isfinite(p.value) ? yaml_number(p.value) : "~"),
+                           known == facts_.property_names.end() ? "" : known->second + " in the source");
+    }
+    return text;
+  }
+
+  /// The deck's names where they can serve: as keys, each once.
+  std::string named_state_yaml() const {
+    std::vector<std::string> names(static_cast<std::size_t>(state_)), docs(names.size());
+    for (const DeckVariable& variable : variables_) {
+      names[static_cast<std::size_t>(variable.number - 1)] = variable.name;
+      docs[static_cast<std::size_t>(variable.number - 1)] = variable.doc;
+    }
+    std::set<std::string> seen;
+    std::string text;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      std::string name = names[k];
+      if (!can_be_a_key(name) || !seen.insert(name).second) {
+        if (docs[k].empty()) docs[k] = name;
+        seen.insert(name = "s" + std::to_string(k + 1));
+      }
+      const std::string value = docs[k].empty() ? "scalar" : "{kind: scalar, doc: " + yaml_scalar(docs[k]) + "}";
+      text += "  " + yaml_scalar(name) + ": " + value + "\n";
+    }
+    return text;
+  }
+
+  std::string state_yaml() const {
+    if (state_ == 0) return {};
+    const std::string advice =
+        state_ >= 6 ? "; declare the tensors among them: {back_stress: symmetric_tensor, p: scalar}" : "";
+    const std::string of = "STATEV, in this order, from " + state_from_ + advice;
+    if (variables_.empty()) return with_comment("state: " + std::to_string(state_), of);
+    return with_comment("state:", of) + named_state_yaml();
+  }
+
   std::string assumptions() const {
     const bool umat = entry_.interface == adapters::ForeignInterface::umat;
-    const bool units = yaml_.density && !yaml_.density->stress.empty();
+    const bool units = density_ && !density_->stress.empty();
     return std::string("assumed unless the description says otherwise: isotropic, smooth, independent of the rate") +
            (umat ? ", DDSDDE for small strain" : "") + (units ? "" : ", SI units (no verdict depends on the units)");
   }
@@ -212,11 +263,18 @@ class Describer {
   const Location& where_;
   const std::string& key_;
   FortranSource source_;
+  std::string deck_file_;  ///< absolute; empty: none
   std::optional<DeckMaterial> deck_;
   SourceLibrary library_;
   SourceEntry entry_;
   SourceFacts facts_;
-  SourceYaml yaml_;
+  std::string name_;                       ///< of the model
+  std::vector<GivenProperty> properties_;  ///< NaN: to be given by whoever uses it
+  std::string properties_from_;            ///< "--props", "*User Material", "the source"; empty: there are none
+  int state_ = 0;
+  std::vector<DeckVariable> variables_;  ///< names of some of them
+  std::string state_from_;
+  std::optional<DeckDensity> density_;
 };
 
 }  // namespace

@@ -47,20 +47,4 @@ bool is_source_or_deck(const std::string& file);
 SourceDescription describe_source(const std::string& file, const SourceRequest& request, const Location& where,
                                   const std::string& key);
 
-struct SourceYaml {
-  std::string source, deck;  ///< absolute
-  std::string name, material_name;
-  std::vector<std::string> link;  ///< words of linked_word()
-  SourceEntry entry;
-  SourceFacts facts;
-  std::vector<GivenProperty> properties;  ///< NaN: to be given by whoever uses it
-  std::string properties_from;            ///< "--props", "*User Material", "its text"; empty: there are none
-  int state = 0;
-  std::vector<DeckVariable> variables;  ///< names of some of them
-  std::string state_from;
-  std::optional<DeckDensity> density;
-};
-
-std::string source_yaml(const SourceYaml& yaml);
-
 }  // namespace assay::drivers

@@ -2,7 +2,6 @@
 #include "drivers/material/source_entry.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/number_format.hpp"
@@ -34,8 +33,7 @@ std::optional<ForeignInterface> interface_by_name(const std::string& name) {
 }
 
 FortranRoutine routine_named(const std::vector<FortranRoutine>& routines, const std::string& name) {
-  const auto found =
-      std::find_if(routines.begin(), routines.end(), [&](const FortranRoutine& each) { return each.name == name; });
+  const auto found = std::ranges::find(routines, name, &FortranRoutine::name);
   return found == routines.end() ? FortranRoutine{name, {}, 0, 0, {}} : *found;
 }
 

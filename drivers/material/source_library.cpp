@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 
@@ -74,14 +71,6 @@ bool is_whole_library(const fs::path& file) {
   }
 }
 
-/// Bytes reach the disk before the name does.
-void sync_file(const fs::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return;
-  ::fsync(file);
-  ::close(file);
-}
-
 /// Beside the library, so that they are said again where nothing is compiled.
 fs::path warnings_of(const fs::path& library) { return fs::path(library).replace_extension(".warnings"); }
 
@@ -122,7 +111,7 @@ SourceLibrary library_of_source(const FortranSource& source) {
   for (const std::string& line : compile_library(source, compiler, making.path().string(), made.string()))
     warnings += line + "\n";
   if (!warnings.empty()) write_file(warnings_of(library), warnings);
-  sync_file(made);
+  sync_path(made);  // before its name does
   std::error_code code;
   fs::rename(made, library, code);
   if (code) fail(library, "cannot be put in place", code);

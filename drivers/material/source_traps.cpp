@@ -79,8 +79,7 @@ void add_lossy(const FortranSource& source, const SourceEntry& entry, const std:
   for (const FortranStatement& statement : entry.routine.statements) {
     const std::string name = receiver_of(statement.text, props);
     if (name.empty()) continue;
-    const auto same = [&](const FortranVariable& variable) { return variable.name == name; };
-    const auto declared = std::find_if(variables.begin(), variables.end(), same);
+    const auto declared = std::ranges::find(variables, name, &FortranVariable::name);
     const bool is_declared = declared != variables.end();
     const bool by_letter = !is_declared && !implicit.none && name[0] >= 'i' && name[0] <= 'n';
     if (by_letter && whole.empty()) line_of_whole = statement.line;

@@ -7,14 +7,15 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
 #include "adapters/process/kept_process.hpp"
+#include "drivers/system/environment.hpp"
 #include "drivers/system/exit_guard.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/interrupt.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -84,15 +85,11 @@ ToolEnd run_tool(const ToolCall& call) try {
 
 std::string tool_in_path(const std::string& name) {
   namespace fs = std::filesystem;
-  const char* value = std::getenv("PATH");
-  const std::string path = value ? value : "";
-  for (std::size_t begin = 0; begin < path.size();) {
-    const std::size_t colon = std::min(path.find(':', begin), path.size());
-    const fs::path file = fs::path(path.substr(begin, colon - begin)) / name;
+  for (const std::string& folder : split(environment_value("PATH"), ':')) {
+    const fs::path file = fs::path(folder) / name;
     std::error_code code;
     if (file.is_absolute() && fs::is_regular_file(file, code) && ::access(file.c_str(), X_OK) == 0)
       return file.string();
-    begin = colon + 1;
   }
   return {};
 }

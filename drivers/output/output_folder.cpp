@@ -226,11 +226,11 @@ void OutputFolder::commit() {
   Moves moves;
   for (const std::string& name : replaced()) moves.move(target_ / name, old / name);
   for (const std::string& name : staged_) {
-    if (name == last_file) sync_folder(target_);
+    if (name == last_file) sync_path(target_);
     moves.move(staging_ / name, target_ / name);
   }
   moves.keep();
-  sync_folder(target_);
+  sync_path(target_);
   fs::remove_all(staging_, error);
   staging_.clear();
   made_.clear();

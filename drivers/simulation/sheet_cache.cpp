@@ -8,8 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "adapters/elf_symbols.hpp"
 #include "adapters/library.hpp"
-#include "adapters/needed_libraries.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/program_identity.hpp"

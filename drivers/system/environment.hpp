@@ -8,6 +8,12 @@
 
 namespace assay::drivers {
 
+/// Of a variable; empty where there is none.
+std::string environment_value(const char* name);
+
+/// ${OWN:-${XDG:-~OF_HOME}/assay} of two variables; empty where there is no home.
+std::string own_folder(const char* own, const char* xdg, const std::string& of_home);
+
 /// ${ASSAY_CACHE_HOME:-${XDG_CACHE_HOME:-~/.cache}/assay}; empty where there is no home.
 std::string cache_home();
 

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <charconv>
 #include <csignal>
 #include <cstdio>
@@ -31,8 +30,6 @@ std::atomic<bool> said{false};
 static_assert(std::atomic<pid_t>::is_always_lock_free, "a signal handler may touch nothing else");
 
 std::array<bool, crashes.size()> installed{};
-alignas(16) char handler_stack[1 << 16];  // a stack that overflowed cannot serve
-bool own_stack = false;
 
 char crash_words[256];  ///< behind the number of the signal
 
@@ -74,10 +71,17 @@ void on_exit() {
   if (is_guarded()) say_ended();
 }
 
-/// Behind `text`; async-signal-safe.
-void append(char*& text, long number) { text = std::to_chars(text, text + 24, number).ptr; }
-
-void append(char*& text, const char* words) { text = ::stpcpy(text, words); }
+/// Puts the parts one behind another, of which the last is a text; async-signal-safe.
+template <class... Parts>
+void compose(char* text, Parts... parts) {
+  const auto append = [&text](auto part) {
+    if constexpr (std::is_integral_v<decltype(part)>)
+      text = std::to_chars(text, text + 24, part).ptr;
+    else
+      text = ::stpcpy(text, part);
+  };
+  (append(parts), ...);
+}
 
 void on_crash(int signal, siginfo_t* why, void* /*context*/) {
   if (!is_guarded()) {  // a child that inherited the handler: it dies of the signal
@@ -89,18 +93,10 @@ void on_crash(int signal, siginfo_t* why, void* /*context*/) {
     say_and_leave("assay: crashed: the material's library was changed while it was in use\n");
   }
   char line[sizeof crash_words + 100];
-  char* end = line;
-  if (why->si_code <= 0 && why->si_pid != ::getpid()) {
-    append(end, "assay: ended from outside, by signal ");
-    append(end, signal);
-    append(end, " of process ");
-    append(end, why->si_pid);
-    append(end, "\n");
-  } else {
-    append(end, "assay: crashed (signal ");
-    append(end, signal);
-    append(end, crash_words);
-  }
+  if (why->si_code <= 0 && why->si_pid != ::getpid())
+    compose(line, "assay: ended from outside, by signal ", signal, " of process ", why->si_pid, "\n");
+  else
+    compose(line, "assay: crashed (signal ", signal, static_cast<const char*>(crash_words));
   say_and_leave(line);
 }
 
@@ -113,21 +109,12 @@ void compose_crash_words() {
   std::snprintf(crash_words, sizeof crash_words, "%s\n", words.c_str());
 }
 
-void install_stack() {
-  stack_t present = {};
-  own_stack = ::sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) != 0;
-  if (!own_stack) return;
-  stack_t stack = {};
-  stack.ss_sp = handler_stack;
-  stack.ss_size = sizeof handler_stack;
-  own_stack = ::sigaltstack(&stack, nullptr) == 0;
-}
-
-void remove_stack() {
-  stack_t none = {};
-  none.ss_flags = SS_DISABLE;
-  if (own_stack) ::sigaltstack(&none, nullptr);
-  own_stack = false;
+/// The first word stands. A watcher that was stopped goes on.
+void tell_parting(int status) noexcept {
+  if (!parting || parting_process != ::getpid() || parting->is_told) return;
+  parting->status = status;
+  parting->is_told = true;
+  ::kill(::getppid(), SIGCONT);
 }
 
 }  // namespace
@@ -136,7 +123,7 @@ ExitGuard::ExitGuard() {
   static const int registered = std::atexit(on_exit);
   static_cast<void>(registered);
   compose_crash_words();
-  install_stack();
+  adapters::use_handler_stack();
   struct sigaction action = {};
   action.sa_sigaction = on_crash;
   sigemptyset(&action.sa_mask);
@@ -157,7 +144,6 @@ ExitGuard::~ExitGuard() {
     if (installed[i]) std::signal(crashes[i], SIG_DFL);
     installed[i] = false;
   }
-  remove_stack();
 }
 
 const Parting* ExitGuard::share_last_word() {
@@ -173,18 +159,6 @@ void ExitGuard::move_to_this_process(const char* library) {
   compose_crash_words();
   if (guarded != 0) guarded = ::getpid();
 }
-
-namespace {
-
-/// The first word stands. A watcher that was stopped goes on.
-void tell_parting(int status) noexcept {
-  if (!parting || parting_process != ::getpid() || parting->is_told) return;
-  parting->status = status;
-  parting->is_told = true;
-  ::kill(::getppid(), SIGCONT);
-}
-
-}  // namespace
 
 void results_are_whole(int status) noexcept {
   whole = status;

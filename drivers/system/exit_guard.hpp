@@ -3,8 +3,6 @@
 // like success.
 #pragma once
 
-#include <sys/types.h>
-
 #include <atomic>
 
 namespace assay::drivers {

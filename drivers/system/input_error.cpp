@@ -2,14 +2,14 @@
 #include "drivers/system/input_error.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
-#include <map>
+#include <iterator>
 #include <utility>
 
 #include "drivers/system/input_file.hpp"
 #include "drivers/text/unseen.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -29,41 +29,25 @@ std::string line_of(const Location& where, const std::string& key, const std::st
   return with_unseen_written(cut(line, longest_line));
 }
 
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 /// What other codes call by this name, in the words of a scene; empty where that is not known.
 std::string name_elsewhere(const std::string& word) {
-  static const std::map<std::string, std::string> names{{"rho", "density"},
-                                                        {"rho0", "density"},
-                                                        {"properties", "parameters"},
-                                                        {"model", "adapter"},
-                                                        {"name", "adapter"},
-                                                        {"h", "spacing"},
-                                                        {"dx", "spacing"},
-                                                        {"cell_size", "spacing"},
-                                                        {"resolution", "spacing"},
-                                                        {"cfl", "courant"},
-                                                        {"timestep_multiplier", "courant"},
-                                                        {"dt", "step"},
-                                                        {"end_time", "end"},
-                                                        {"t_end", "end"},
-                                                        {"maxtime", "end"},
-                                                        {"shape_function", "basis"},
-                                                        {"interpolator", "basis"},
-                                                        {"ppc", "per_cell"},
-                                                        {"particles_per_cell", "per_cell"},
-                                                        {"kind", "type"},
-                                                        {"ri", "inner"},
-                                                        {"ro", "outer"},
-
-                                                        {"youngs_modulus", "e"},
-                                                        {"poisson", "nu"},
-                                                        {"poissons_ratio", "nu"}};
-  const auto found = names.find(word);
-  return found == names.end() ? std::string() : found->second;
+  static const std::pair<const char*, std::vector<std::string>> names[] = {
+      {"density", {"rho", "rho0"}},
+      {"parameters", {"properties"}},
+      {"adapter", {"model", "name"}},
+      {"spacing", {"h", "dx", "cell_size", "resolution"}},
+      {"courant", {"cfl", "timestep_multiplier"}},
+      {"step", {"dt"}},
+      {"end", {"end_time", "t_end", "maxtime"}},
+      {"basis", {"shape_function", "interpolator"}},
+      {"per_cell", {"ppc", "particles_per_cell"}},
+      {"type", {"kind"}},
+      {"inner", {"ri"}},
+      {"outer", {"ro"}},
+      {"e", {"youngs_modulus"}},
+      {"nu", {"poisson", "poissons_ratio"}}};
+  const auto found = std::ranges::find_if(names, [&](const auto& each) { return is_one_of(word, each.second); });
+  return found == std::end(names) ? std::string() : found->first;
 }
 
 /// Optimal string alignment: insertions, deletions, substitutions and swaps of neighbours cost one each.
@@ -109,9 +93,9 @@ std::string joined(const std::vector<std::string>& words) {
 std::string nearest(const std::string& mistyped, const std::vector<std::string>& known) {
   const std::string word = as_meant(without_unseen(mistyped));
   if (word.empty() || word.size() > 200) return {};
-  const std::string small = lower(word);
+  const std::string small = small_letters(word);
   const auto same = [&](const std::string& name) {
-    return [&](const std::string& candidate) { return candidate == word || lower(candidate) == name; };
+    return [&](const std::string& candidate) { return candidate == word || small_letters(candidate) == name; };
   };
   for (const std::string& name : {small, name_elsewhere(small)}) {
     const auto found = std::find_if(known.begin(), known.end(), same(name));
@@ -121,14 +105,14 @@ std::string nearest(const std::string& mistyped, const std::vector<std::string>&
   const std::size_t most = word.size() == 1 ? 0 : word.size() < 4 ? 1 : std::max<std::size_t>(2, word.size() / 3);
   std::size_t least = most + 1;
   for (const std::string& candidate : known) {
-    const std::size_t distance = std::min(edit_distance(word, candidate), edit_distance(small, lower(candidate)));
+    const std::size_t distance =
+        std::min(edit_distance(word, candidate), edit_distance(small, small_letters(candidate)));
     if (distance < least) least = distance, best = candidate;
   }
   if (!best.empty()) return best;
   constexpr std::size_t stem = 4;  // of an abbreviation, "params"
   for (const std::string& beginning : {word, word.size() > stem ? word.substr(0, stem) : word}) {
-    const auto begins =
-        std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.starts_with(beginning); });
+    const auto begins = std::ranges::find_if(known, [&](const auto& k) { return k.starts_with(beginning); });
     if (begins != known.end()) return *begins;
   }
   return {};

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "adapters/process/private_files.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/own_files.hpp"
@@ -49,20 +50,6 @@ std::string because() {
   return std::string("cannot be read: ") + std::strerror(error) + open_files_words(error);
 }
 
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
 std::string bytes_of(int descriptor, const Location& where, std::size_t limit) {
   std::string bytes;
   char buffer[1 << 16];
@@ -90,50 +77,37 @@ std::string bytes_of_stream(int number, const Location& where, std::size_t limit
   return read_before[number] = bytes_of(file, where, limit);
 }
 
-/// The files that were read. Time and size tell one from a later file of the same number.
-class Inputs {
- public:
-  void add(const struct stat& status) {
-    const std::lock_guard lock(mutex_);
-    if (S_ISREG(status.st_mode)) files_.insert(key_of(status));
-  }
-  void clear() {
-    const std::lock_guard lock(mutex_);
-    files_.clear();
-  }
-  bool has(const struct stat& status) {
-    const std::lock_guard lock(mutex_);
-    return files_.contains(key_of(status));
-  }
+/// Of a file: time and size tell it from a later one of the same number.
+using FileKey = std::tuple<dev_t, ino_t, off_t, time_t, long>;
+FileKey key_of(const struct stat& status) {
+  return {status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+}
 
- private:
-  using Key = std::tuple<dev_t, ino_t, off_t, time_t, long>;
-  static Key key_of(const struct stat& status) {
-    return {status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
-  }
+std::mutex guard_of_inputs;
+std::set<FileKey> files_read;
 
-  std::mutex mutex_;
-  std::set<Key> files_;
-};
-
-Inputs& inputs() {
-  static Inputs all;
-  return all;
+void note_input(const struct stat& status) {
+  const std::lock_guard lock(guard_of_inputs);
+  if (S_ISREG(status.st_mode)) files_read.insert(key_of(status));
 }
 
 }  // namespace
 
 void note_input(const std::string& file) {
   struct stat status {};
-  if (::stat(file.c_str(), &status) == 0) inputs().add(status);
+  if (::stat(file.c_str(), &status) == 0) note_input(status);
 }
 
-void forget_inputs() { inputs().clear(); }
+void forget_inputs() {
+  const std::lock_guard lock(guard_of_inputs);
+  files_read.clear();
+}
 
 bool is_input(const std::string& file) {
   put_files_right();
   struct stat status {};
-  return ::stat(file.c_str(), &status) == 0 && inputs().has(status);
+  const std::lock_guard lock(guard_of_inputs);
+  return ::stat(file.c_str(), &status) == 0 && files_read.contains(key_of(status));
 }
 
 void refuse_input_as_output(const std::string& output, const std::string& option) {
@@ -148,7 +122,7 @@ std::string read_bytes(const std::string& file, std::size_t limit) {
   if (const auto stream = stream_of(file)) return bytes_of_stream(*stream, where, limit);
   put_files_right();
   // Without O_NONBLOCK a pipe that nobody writes into is waited for.
-  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  const adapters::OpenFile opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (opened.number() < 0) {
     const std::string reason = because();
     struct stat status {};
@@ -158,7 +132,7 @@ std::string read_bytes(const std::string& file, std::size_t limit) {
   struct stat status {};
   if (::fstat(opened.number(), &status) != 0) throw InputError(where, "", because());
   if (const std::string fault = fault_of_mode(status.st_mode); !fault.empty()) throw InputError(where, "", fault);
-  inputs().add(status);
+  note_input(status);
   return bytes_of(opened.number(), where, limit);
 }
 

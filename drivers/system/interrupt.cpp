@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdint>
@@ -70,17 +71,23 @@ int noticed() {
 
 constexpr int stop_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
-bool is_watched() {
-  for (const int signal : stop_signals) {
-    struct sigaction present = {};
-    if (sigaction(signal, nullptr, &present) == 0 && present.sa_sigaction == on_signal) return true;
-  }
-  return false;
+bool is_ours(int signal) {
+  struct sigaction present = {};
+  return sigaction(signal, nullptr, &present) == 0 && present.sa_sigaction == on_signal;
 }
+
+/// Of all threads of the process [ns].
+std::int64_t processor_ns() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+std::atomic<std::int64_t> deadline_ns{0};  ///< 0: none
 
 }  // namespace
 
-InterruptWatch::InterruptWatch() : mine_(!is_watched()) {
+InterruptWatch::InterruptWatch() : mine_(std::ranges::none_of(stop_signals, is_ours)) {
   if (mine_) watch_interrupts();
 }
 
@@ -88,8 +95,7 @@ InterruptWatch::~InterruptWatch() {
   if (!mine_) return;
   adapters::give_up_waiting = nullptr;
   for (const int signal : stop_signals) {
-    struct sigaction present = {};
-    if (sigaction(signal, nullptr, &present) == 0 && present.sa_sigaction == on_signal) std::signal(signal, SIG_DFL);
+    if (is_ours(signal)) std::signal(signal, SIG_DFL);
   }
 }
 
@@ -117,19 +123,6 @@ bool interrupted() { return noticed() != 0; }
 int interrupt_signal() { return first_signal; }
 
 bool interrupted_from_inside() { return is_own; }
-
-namespace {
-
-/// Of all threads of the process [ns].
-std::int64_t processor_ns() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
-
-std::atomic<std::int64_t> deadline_ns{0};  ///< 0: none
-
-}  // namespace
 
 Deadline::Deadline(double seconds) { deadline_ns = processor_ns() + static_cast<std::int64_t>(1e9 * seconds); }
 

@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
-#include <string>
 #include <system_error>
 
 #include "adapters/process/private_files.hpp"
@@ -105,16 +104,14 @@ void keep_standard_streams() {
 void remember_files() {
   constexpr rlim_t few = 256;
   if (before) return;
-  const int folder = ::open(".", O_PATH | O_DIRECTORY | O_CLOEXEC);
+  const adapters::OpenFile folder(::open(".", O_PATH | O_DIRECTORY | O_CLOEXEC)),
+      nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
   before = Before{{adapters::high_copy(0), adapters::high_copy(1), adapters::high_copy(2)},
-                  adapters::high_copy(folder),
+                  adapters::high_copy(folder.number()),
                   ::umask(0),
                   {},
                   {}};
-  if (folder >= 0) ::close(folder);
-  const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-  if (before->streams[0] >= 0 && nothing >= 0) ::dup2(nothing, 0);
-  if (nothing > 0) ::close(nothing);
+  if (before->streams[0] >= 0 && nothing.number() >= 0) ::dup2(nothing.number(), 0);
   send_prints_to_errors();
   ::umask(before->forbidden);
   for (std::size_t k = 0; k < resources.size(); ++k) before->limits[k] = limit_of(k);

@@ -2,10 +2,10 @@
 #include "drivers/system/program_identity.hpp"
 
 #include <elf.h>
+#include <fmt/format.h>
 #include <link.h>
 
 #include <cstring>
-#include <string_view>
 #include <vector>
 
 #include "drivers/system/input_file.hpp"
@@ -22,15 +22,6 @@ struct Loaded {
   std::string file, build_id;
 };
 
-std::string hexadecimal(const unsigned char* bytes, std::size_t n) {
-  std::string text;
-  for (std::size_t k = 0; k < n; ++k) {
-    text += "0123456789abcdef"[bytes[k] >> 4];
-    text += "0123456789abcdef"[bytes[k] & 15];
-  }
-  return text;
-}
-
 /// The note NT_GNU_BUILD_ID among the notes of a segment: a header, a name, a description, each filled up to 4 bytes.
 std::string build_id_in(const unsigned char* notes, std::size_t size) {
   const auto padded = [](std::size_t n) { return (n + 3) / 4 * 4; };
@@ -41,7 +32,8 @@ std::string build_id_in(const unsigned char* notes, std::size_t size) {
     if (end > size) break;
     const bool is_gnu =
         head.n_namesz == sizeof ELF_NOTE_GNU && std::memcmp(notes + name, ELF_NOTE_GNU, sizeof ELF_NOTE_GNU) == 0;
-    if (is_gnu && head.n_type == NT_GNU_BUILD_ID) return hexadecimal(notes + text, head.n_descsz);
+    if (is_gnu && head.n_type == NT_GNU_BUILD_ID)
+      return fmt::format("{:02x}", fmt::join(notes + text, notes + text + head.n_descsz, ""));
     at = end;
   }
   return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/system/progress.hpp"
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,26 +17,22 @@ namespace {
 constexpr std::size_t columns = 79;  // the 80th makes some terminals wrap
 constexpr int bar_cells = 20;
 
-std::string two_digits(std::int64_t value) { return (value < 10 ? "0" : "") + std::to_string(value); }
-
 }  // namespace
 
 std::string duration_text(double seconds) {
   if (!(seconds >= 0) || seconds > 1e9) return "?";
   const auto s = static_cast<std::int64_t>(std::ceil(seconds));
   if (s < 60) return std::to_string(s) + " s";
-  if (s < 3600) return std::to_string(s / 60) + " min " + two_digits(s % 60) + " s";
-  if (s < 86400) return std::to_string(s / 3600) + " h " + two_digits(s / 60 % 60) + " min";
-  return std::to_string(s / 86400) + " d " + std::to_string(s / 3600 % 24) + " h";
+  if (s < 3600) return fmt::format("{} min {:02} s", s / 60, s % 60);
+  if (s < 86400) return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
+  return fmt::format("{} d {} h", s / 86400, s / 3600 % 24);
 }
 
 std::string progress_line(std::string_view what, double fraction, std::string_view detail, double elapsed_s) {
   fraction = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
-  const int filled = static_cast<int>(fraction * bar_cells);
-  std::string line(what.substr(0, 20));
-  line += " [" + std::string(static_cast<std::size_t>(filled), '=') +
-          std::string(static_cast<std::size_t>(bar_cells - filled), ' ') + "] ";
-  line += std::to_string(static_cast<int>(fraction * 100)) + " %";
+  const std::string filled(static_cast<std::size_t>(fraction * bar_cells), '=');
+  std::string line =
+      fmt::format("{} [{:{}}] {} %", what.substr(0, 20), filled, bar_cells, static_cast<int>(fraction * 100));
   if (fraction > 0) line += ", " + duration_text(elapsed_s * (1 - fraction) / fraction) + " left";
   if (!detail.empty() && line.size() + 2 < columns) {
     line += "  ";

@@ -23,7 +23,9 @@
 #include <utility>
 #include <vector>
 
+#include "adapters/library.hpp"
 #include "adapters/process/descendants.hpp"
+#include "adapters/process/private_files.hpp"
 #include "drivers/system/exit_guard.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/own_files.hpp"
@@ -39,16 +41,8 @@ using Clock = std::chrono::steady_clock;
 
 pid_t allowed = 0;  ///< the process that may wait
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool watched_by_sanitizer = true;
-#elif defined(__has_feature)
-constexpr bool watched_by_sanitizer = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool watched_by_sanitizer = false;
-#endif
-
 /// For what libraries do when a process exits; a sanitizer looks for leaks then.
-constexpr std::chrono::seconds patience{watched_by_sanitizer ? 30 : 2};
+constexpr std::chrono::seconds patience{adapters::is_sanitized ? 30 : 2};
 constexpr int passed_on[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGALRM, SIGXCPU};
 
 sigset_t awaited_signals() {
@@ -75,32 +69,25 @@ bool is_another_program(pid_t process) {
   return !code && own != other;
 }
 
-/// Tells of a child that has stopped while its watcher has not: a terminal stops both.
+/// Tells once of a child that has stopped while its watcher has not: a terminal stops both.
 class StoppedChild {
  public:
   void look(pid_t child) {
     siginfo_t info = {};
-    if (::waitid(P_PID, static_cast<id_t>(child), &info, WSTOPPED | WCONTINUED | WNOHANG) != 0 || info.si_pid == 0) {
-      tell(child);
-      return;
+    if (::waitid(P_PID, static_cast<id_t>(child), &info, WSTOPPED | WCONTINUED | WNOHANG) == 0 && info.si_pid != 0) {
+      signal_ = info.si_code == CLD_STOPPED ? info.si_status : 0;
+      since_ = Clock::now();
+    } else if (signal_ != 0 && Clock::now() - since_ >= std::chrono::seconds(1)) {
+      const int signal = std::exchange(signal_, 0);
+      std::fprintf(stderr,
+                   "warning: process %d of this program is stopped (signal %d, %s), from outside or by the material's "
+                   "library; to go on: kill -CONT %d\n",
+                   static_cast<int>(child), signal, strsignal(signal), static_cast<int>(child));
     }
-    signal_ = info.si_code == CLD_STOPPED ? info.si_status : 0;
-    since_ = Clock::now();
-    is_told_ = false;
   }
 
  private:
-  void tell(pid_t child) {
-    if (signal_ == 0 || is_told_ || Clock::now() - since_ < std::chrono::seconds(1)) return;
-    is_told_ = true;
-    std::fprintf(stderr,
-                 "warning: process %d of this program is stopped (signal %d, %s), from outside or by the material's "
-                 "library; to go on: kill -CONT %d\n",
-                 static_cast<int>(child), signal_, strsignal(signal_), static_cast<int>(child));
-  }
-
-  int signal_ = 0;
-  bool is_told_ = false;
+  int signal_ = 0;  ///< that has stopped it, as long as nobody has told
   Clock::time_point since_;
 };
 
@@ -175,22 +162,18 @@ class OwnTerminal {
  public:
   OwnTerminal()
       : file_(::open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK)),
-        is_known_(file_ >= 0 && ::tcgetpgrp(file_) == ::getpgrp() && ::tcgetattr(file_, &before_) == 0) {}
-  OwnTerminal(const OwnTerminal&) = delete;
-  OwnTerminal& operator=(const OwnTerminal&) = delete;
-  ~OwnTerminal() {
-    if (file_ >= 0) ::close(file_);
-  }
+        is_known_(file_.number() >= 0 && ::tcgetpgrp(file_.number()) == ::getpgrp() &&
+                  ::tcgetattr(file_.number(), &before_) == 0) {}
 
   /// Puts them right; whether something was changed.
   bool put_right() const {
     termios now = {};
-    if (!is_known_ || ::tcgetattr(file_, &now) != 0 || alike(now, before_)) return false;
+    if (!is_known_ || ::tcgetattr(file_.number(), &now) != 0 || alike(now, before_)) return false;
     sigset_t of_writers, blocked;  // who is no longer in front would be stopped
     ::sigemptyset(&of_writers);
     ::sigaddset(&of_writers, SIGTTOU);
     ::sigprocmask(SIG_BLOCK, &of_writers, &blocked);
-    ::tcsetattr(file_, TCSANOW, &before_);
+    ::tcsetattr(file_.number(), TCSANOW, &before_);
     ::sigprocmask(SIG_SETMASK, &blocked, nullptr);
     return true;
   }
@@ -201,7 +184,7 @@ class OwnTerminal {
            std::ranges::equal(a.c_cc, b.c_cc);
   }
 
-  int file_;
+  adapters::OpenFile file_;
   termios before_ = {};  ///< above what fills it in
   bool is_known_;
 };

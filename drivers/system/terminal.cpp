@@ -3,9 +3,9 @@
 
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdio>
 
+#include "adapters/process/private_files.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/own_files.hpp"
 #include "drivers/text/unseen.hpp"
@@ -20,12 +20,7 @@ bool lost = false;
 void put(const std::string& text) {
   put_streams_right();
   std::fflush(stdout);
-  for (std::size_t at = 0; at < text.size();) {
-    const ssize_t written = ::write(user_output(), text.data() + at, text.size() - at);
-    if (written > 0) at += static_cast<std::size_t>(written);
-    lost = lost || (written < 0 && errno != EINTR);
-    if (lost) return;
-  }
+  lost = !adapters::write_all(user_output(), text) || lost;
 }
 
 }  // namespace

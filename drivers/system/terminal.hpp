@@ -3,7 +3,6 @@
 // model's words hold reaches the terminal as a command.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 namespace assay::drivers {

@@ -2,18 +2,20 @@
 #include "drivers/system/whole_file.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <vector>
 
+#include "adapters/process/private_files.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/own_files.hpp"
 #include "drivers/system/terminal.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -38,8 +40,6 @@ std::string host_name() {
   if (::gethostname(name.data(), name.size() - 1) != 0) return "host";
   return name.data();
 }
-
-bool digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
@@ -69,27 +69,19 @@ int opened(const fs::path& path, int flags) {
 
 void write_bytes(const fs::path& path, std::string_view bytes, int flags) {
   put_files_right();
-  const int descriptor = opened(path, flags);
-  if (descriptor < 0 && errno == ENXIO) throw SystemError(path.string() + ": is a pipe that nobody reads");
-  if (descriptor < 0) fail(path, "cannot be created", errno);
-  try {
-    write_all(descriptor, bytes, path);
-    // Pipes and terminals cannot be synced and say so.
-    if (::fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS) {
-      fail(path, "cannot be written", errno);
-    }
-  } catch (...) {
-    ::close(descriptor);
-    throw;
-  }
-  if (::close(descriptor) != 0 && errno != EINTR) fail(path, "cannot be written", errno);
+  adapters::OpenFile file(opened(path, flags));
+  if (file.number() < 0 && errno == ENXIO) throw SystemError(path.string() + ": is a pipe that nobody reads");
+  if (file.number() < 0) fail(path, "cannot be created", errno);
+  write_all(file.number(), bytes, path);
+  // Pipes and terminals cannot be synced and say so.
+  if (::fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS)
+    fail(path, "cannot be written", errno);
+  if (file.close() != 0 && errno != EINTR) fail(path, "cannot be written", errno);
 }
 
-void sync_folder(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);  // best effort: the files themselves are synced
-  ::close(descriptor);
+void sync_path(const fs::path& path) {
+  const adapters::OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() >= 0) ::fsync(file.number());
 }
 
 std::string hidden_name() {
@@ -98,16 +90,10 @@ std::string hidden_name() {
 }
 
 bool matches(std::string_view pattern, std::string_view name) {
-  while (!pattern.empty()) {
-    if (name.empty()) return false;
-    if (pattern[0] != '#') {
-      if (pattern[0] != name[0]) return false;
-      name.remove_prefix(1);
-    } else {
-      if (!digit(name[0])) return false;
-      while (!name.empty() && digit(name[0])) name.remove_prefix(1);
-    }
-    pattern.remove_prefix(1);
+  for (const char expected : pattern) {
+    if (name.empty() || (expected == '#' ? !is_digit(name[0]) : name[0] != expected)) return false;
+    name.remove_prefix(1);
+    while (expected == '#' && !name.empty() && is_digit(name[0])) name.remove_prefix(1);
   }
   return name.empty();
 }

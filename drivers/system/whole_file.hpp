@@ -18,8 +18,8 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// Opens with these flags of open(), writes, syncs and closes, and believes none of them. Throws SystemError.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes, int flags);
 
-/// Names of a folder reach the disk, as far as it lets us.
-void sync_folder(const std::filesystem::path& path);
+/// Bytes of a file, or names of a folder, reach the disk, as far as it lets us.
+void sync_path(const std::filesystem::path& path);
 
 /// ".assay-PID-N@HOST", a new one each time: what a killed process leaves behind says whose it was.
 std::string hidden_name();

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 
 #include "adapters/builtin.hpp"
 #include "drivers/command_line/project_templates.hpp"
 #include "drivers/command_line/verb.hpp"
+#include "drivers/material/tool_process.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/result/build_information.hpp"
 #include "drivers/system/input_error.hpp"
@@ -137,20 +137,6 @@ bool holds_package(const fs::path& prefix) {
   return false;
 }
 
-/// The folder of the first program of that name on PATH; empty where there is none.
-fs::path folder_on_path() {
-  const char* value = std::getenv("PATH");
-  const std::string path = value ? value : "";
-  for (std::size_t begin = 0; begin < path.size();) {
-    const std::size_t colon = std::min(path.find(':', begin), path.size());
-    fs::path folder = path.substr(begin, colon - begin);
-    std::error_code ignored;
-    if (folder.is_absolute() && fs::is_regular_file(folder / program_name, ignored)) return folder;
-    begin = colon + 1;
-  }
-  return {};
-}
-
 /// As a word of the shell.
 std::string shell_word(const std::string& word) {
   const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '/' || c == '+'; };
@@ -163,10 +149,10 @@ std::string shell_word(const std::string& word) {
 /// for the program.
 std::string next_steps(const std::string& folder, const std::string& run) {
   std::error_code error;
-  const fs::path here = fs::read_symlink("/proc/self/exe", error), there = folder_on_path();
-  const bool on_path = !there.empty() && fs::equivalent(there / program_name, here, error);
+  const fs::path here = fs::read_symlink("/proc/self/exe", error), there = tool_in_path(program_name);
+  const bool on_path = !there.empty() && fs::equivalent(there, here, error);
   std::string configure = "cmake -B build";
-  if (!on_path || !holds_package(prefix_of(there))) {
+  if (!on_path || !holds_package(prefix_of(there.parent_path()))) {
     const fs::path prefix = prefix_of(here.parent_path());
     configure += holds_package(prefix) ? " -D CMAKE_PREFIX_PATH=" + shell_word(prefix.string())
                                        : "   # with -D CMAKE_PREFIX_PATH=(where assay is installed)";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/needed_libraries.hpp"
+#include "adapters/elf_symbols.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "adapters/needed_libraries.hpp"
+#include "adapters/elf_symbols.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/program_identity.hpp"

@@ -94,7 +94,7 @@ TEST(FieldsAndStep, OfMfrontAreItsExternalStateVariables) {
   try {
     foreign_table(model);
     FAIL();
-  } catch (const ForeignError& error) {
+  } catch (const ModelRefused& error) {
     EXPECT_EQ(error.key(), "fields.humidity");
     EXPECT_EQ(error.known(), "none");
   }

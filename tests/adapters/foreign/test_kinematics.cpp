@@ -72,10 +72,10 @@ TEST(Rates, AreThoseOfDifferences) {
   const Tensor F0 = gradient(0.4), F1 = turn(0.2) * gradient(0.6);
   Tensor E = Tensor::Zero();
   E(0, 2) = 1;
-  const LogarithmicStrain a = logarithmic_strain_of(F1 + h * E), b = logarithmic_strain_of(F1 - h * E);
-  const LogarithmicStrain rate = rate_of_logarithmic_strain(F1, E);
+  const StepStrain a = logarithmic_strain_of(F1 + h * E), b = logarithmic_strain_of(F1 - h * E);
+  const StepStrain rate = rate_of_logarithmic_strain(F1, E);
   EXPECT_LT((rate.strain - (a.strain - b.strain) / (2 * h)).norm(), of_differences);
-  EXPECT_LT((rate.R - (a.R - b.R) / (2 * h)).norm(), of_differences);
+  EXPECT_LT((rate.rotation - (a.rotation - b.rotation) / (2 * h)).norm(), of_differences);
   const auto at = [&](double by) {
     StepStrain s = step_strain(F0, F1 + by * E, Kinematics::objective);
     s.strain = s.rotation.transpose() * s.strain * s.rotation;

@@ -59,13 +59,13 @@ TEST(Mfront, ATemperatureAmongItsOwnVariablesIsThatOfTheDescription) {
   model.temperature = 400, model.temperature_is_said = true;
   EXPECT_NEAR(force(model), 400, 1e-9);
   model.fields = {{"Temperature", 300}};
-  EXPECT_THROW(foreign_table(model), ForeignError) << "twice";
+  EXPECT_THROW(foreign_table(model), ModelRefused) << "twice";
   model.temperature_is_said = false;
   EXPECT_NEAR(force(model), 300, 1e-9);
   ForeignModel cold = odd("Cold");
   EXPECT_NO_THROW(foreign_table(cold));
   cold.temperature_is_said = true;
-  EXPECT_THROW(foreign_table(cold), ForeignError) << "it takes none";
+  EXPECT_THROW(foreign_table(cold), ModelRefused) << "it takes none";
 }
 
 }  // namespace

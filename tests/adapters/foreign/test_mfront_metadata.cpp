@@ -58,7 +58,7 @@ TEST_P(MalformedBehaviour, IsRefusedInOneSentence) {
   try {
     foreign_table(model);
     FAIL() << "accepted";
-  } catch (const ForeignError& error) {
+  } catch (const ModelRefused& error) {
     EXPECT_NE(std::string(error.what()).find(GetParam().words), std::string::npos) << error.what();
   }
 }

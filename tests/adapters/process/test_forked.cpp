@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/process/forked.hpp"
+#include "adapters/process/kept_process.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/process/printed.hpp"
+#include "adapters/process/fate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/process/printed.hpp"
+#include "adapters/process/fate.hpp"
 
 #include <gtest/gtest.h>
-
-#include "adapters/process/printed.hpp"
 
 namespace assay::adapters::test_missing_file {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "adapters/process/forked.hpp"
+#include "adapters/process/kept_process.hpp"
 
 namespace assay::adapters::test_own_folder {
 namespace {

@@ -23,7 +23,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "adapters/process/printed.hpp"
+#include "adapters/process/fate.hpp"
 #include "harness/numeric/arithmetic.hpp"
 
 namespace assay::adapters::test_process_watch {

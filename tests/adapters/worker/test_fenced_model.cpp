@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/worker/fenced_model.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -68,8 +66,8 @@ struct Ground {
   HistoryTrail history() {
     const Material material(&table, {});
     const Course course(material, path, 0.3);
-    FencedModel fenced(table, &adder, {}, {control, "", memory.data(), memory.size()});
-    return trail_in(fenced.answer(follow_task(course, 1, {.tolerance = 1e-8}, std::array{0.3})), 1, 10);
+    const FencedModel fenced = fenced_model(table, &adder, {}, {control, "", memory.data(), memory.size()});
+    return trail_in(fenced(follow_task(course, 1, {.tolerance = 1e-8}, std::array{0.3})), 1, 10);
   }
   Control control{};
   std::optional<WatchedProcess> watched;
@@ -105,7 +103,8 @@ TEST_P(FencedMisdeed, EndsTheHistoryAtItsStep) {
     EXPECT_EQ(ground.adder.calls, 3);
     ASSERT_TRUE(failure.step);
     CallArrays arrays = arrays_inside(ground.memory.data(), ground.memory.size());
-    const UpdateArrays left(arrays, 1, 1);  // what a host finds there of a worker that is dead
+    CallPassage passage(arrays, Operation::update, 1, 1);  // what a host finds there of a worker that is dead
+    const assay_step& left = *std::get<0>(passage.take_all(PointerOf<Update>()));
     EXPECT_EQ(arrays.head().n, 1u);
     EXPECT_EQ(arrays.head().dt, failure.step->dt);
     EXPECT_EQ(left.F1[3], failure.step->F1(1, 0));

@@ -173,9 +173,9 @@ TEST_F(RemoteTable, SaysWhyThereIsNone) {
   try {
     remote_table(start_with("library: " + double_library("misbehaving_umat") + "\ninterface: umat\nsymbol: umap_\n"));
     FAIL();
-  } catch (const RemoteError& error) {
-    EXPECT_EQ(error.refused.key, "symbol");
-    EXPECT_NE(error.refused.known.find("umat_"), std::string::npos);
+  } catch (const ModelRefused& error) {
+    EXPECT_EQ(error.key(), "symbol");
+    EXPECT_NE(error.known().find("umat_"), std::string::npos);
   }
 }
 
