@@ -10,7 +10,6 @@
 #include <fstream>
 
 #include "adapters/worker/remote_table.hpp"
-#include "drivers/simulation/growth.hpp"
 #include "drivers/simulation/health.hpp"
 #include "drivers/simulation/stress_offload.hpp"
 #include "drivers/simulation/time_steps.hpp"

@@ -12,10 +12,15 @@
 
 namespace assay::drivers {
 
-/// The text with blanks up to that width in characters of UTF-8.
+/// Of UTF-8.
+inline std::size_t characters(const std::string& text) {
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins));
+}
+
+/// The text with blanks up to that width in characters.
 inline std::string padded(std::string text, std::size_t width) {
-  const auto has = static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  const std::size_t has = characters(text);
   text.append(std::max(has, width) - has, ' ');
   return text;
 }

@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "drivers/result/build_information.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/study/analysis/clock.hpp"
 #include "drivers/text/number_format.hpp"

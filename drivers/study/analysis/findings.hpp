@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/result/fields.hpp"
 #include "drivers/study/run/study_case.hpp"
 #include "harness/numeric/convergence.hpp"
 
@@ -23,16 +24,7 @@ struct StudySeries {
   Figure published = {};    ///< an order that others have found
   std::string source = {};  ///< and where
 
-  static void fields(auto& self, auto& archive) {
-    archive("name", self.name);
-    archive("cases", self.cases);
-    archive("pairwise", self.pairwise);
-    archive("fit", self.fit);
-    archive("asymptotic", self.asymptotic);
-    archive("sentence", self.sentence);
-    archive("published", self.published);
-    archive("source", self.source);
-  }
+  ASSAY_FIELDS(name, cases, pairwise, fit, asymptotic, sentence, published, source)
 };
 
 /// What one more digit of accuracy costs.
@@ -44,14 +36,7 @@ struct StudyDigit {
   Figure interpolated;              ///< its cost at exactly this error
   Figure factor;                    ///< interpolated cost over that of the level before
 
-  static void fields(auto& self, auto& archive) {
-    archive("error", self.error);
-    archive("best", self.best);
-    archive("cost", self.cost);
-    archive("series", self.series);
-    archive("interpolated", self.interpolated);
-    archive("factor", self.factor);
-  }
+  ASSAY_FIELDS(error, best, cost, series, interpolated, factor)
 };
 
 /// One source of a run's error, found by refining it alone.
@@ -63,15 +48,7 @@ struct BudgetLine {
   Figure share;           ///< largest change of the L2 history over time, over the run's largest error
   std::string outcome;    ///< of the refined run
 
-  static void fields(auto& self, auto& archive) {
-    archive("base", self.base);
-    archive("source", self.source);
-    archive("changed", self.changed);
-    archive("error", self.error);
-    archive("refined", self.refined);
-    archive("share", self.share);
-    archive("outcome", self.outcome);
-  }
+  ASSAY_FIELDS(base, source, changed, error, refined, share, outcome)
 };
 
 struct StudyExpectationOutcome {

@@ -9,8 +9,8 @@
 
 #include "drivers/result/json_figure.hpp"
 #include "drivers/study/analysis/study_json.hpp"
-#include "drivers/study/pages/answers.hpp"
 #include "drivers/study/pages/document.hpp"
+#include "drivers/study/pages/study_pages.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/number_format.hpp"
 #include "drivers/text/table_text.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/format/yaml_reader.hpp"
+#include "drivers/result/fields.hpp"
 #include "drivers/scene/scene.hpp"
 #include "drivers/scene/scene_reader.hpp"
 
@@ -16,10 +17,7 @@ namespace assay::drivers {
 struct AxisValue {
   std::string axis, value;  ///< "method", "CPDI, FLIP"; "grid.spacing", "0.05"
 
-  static void fields(auto& self, auto& archive) {
-    archive("axis", self.axis);
-    archive("value", self.value);
-  }
+  ASSAY_FIELDS(axis, value)
 };
 
 struct Condition {
