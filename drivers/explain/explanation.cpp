@@ -8,7 +8,7 @@
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/system/input_error.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 #include "mpm/step/stages.hpp"
 

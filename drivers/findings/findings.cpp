@@ -17,7 +17,7 @@
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/supervisor.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -11,9 +11,7 @@
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/whole_file.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
-#include "drivers/text/table_text.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {

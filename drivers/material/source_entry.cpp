@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "drivers/system/input_error.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/words.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "drivers/scene/body_box.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

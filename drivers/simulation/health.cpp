@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "harness/numeric/largest.hpp"
 #include "mpm/setup/with_basis.hpp"
 

@@ -12,7 +12,7 @@
 #include "drivers/simulation/body_faces.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/system/terminal.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
 #include "mpm/basis/corners.hpp"
 #include "mpm/patch/methods.hpp"

@@ -7,7 +7,7 @@
 
 #include "drivers/simulation/sheet_cache.hpp"
 #include "drivers/system/interrupt.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 

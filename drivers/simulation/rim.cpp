@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 
 namespace assay::drivers {

@@ -6,7 +6,7 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/body_faces.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {

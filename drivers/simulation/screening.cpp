@@ -9,7 +9,7 @@
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/progress.hpp"
 #include "drivers/system/terminal.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/words.hpp"
 #include "harness/material/material_failure.hpp"
 #include "harness/stability/stability_screen.hpp"

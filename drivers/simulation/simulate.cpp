@@ -14,7 +14,7 @@
 #include "drivers/simulation/stress_offload.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/system/interrupt.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "mpm/simulation.hpp"
 
 namespace assay::drivers {

@@ -9,7 +9,7 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/response_source.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "mpm/seeding/gauss_lattice.hpp"
 
 namespace assay::drivers {

@@ -10,7 +10,7 @@
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene.hpp"
 #include "drivers/simulation/problem.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "harness/stability/wave_speed.hpp"
 
 namespace assay::drivers {

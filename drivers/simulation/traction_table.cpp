@@ -8,7 +8,7 @@
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/progress.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/words.hpp"
 #include "harness/motion/kinds/homogeneous.hpp"
 

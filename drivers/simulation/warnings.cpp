@@ -7,7 +7,7 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/time_steps.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "harness/check/march.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 

@@ -20,7 +20,7 @@
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/tabulation/tabulation.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 

@@ -9,7 +9,6 @@
 #include "drivers/result/result.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/study/analysis/clock.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
 #include "harness/numeric/convergence.hpp"
 

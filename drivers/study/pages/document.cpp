@@ -7,7 +7,6 @@
 #include "drivers/format/csv.hpp"
 #include "drivers/output/html.hpp"
 #include "drivers/picture/drawing.hpp"
-#include "drivers/text/table_text.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers::study_page {

@@ -10,7 +10,6 @@
 #include "drivers/study/analysis/study_json.hpp"
 #include "drivers/study/pages/study_pages.hpp"
 #include "drivers/study/pages/words.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 

@@ -9,7 +9,7 @@
 #include "drivers/study/analysis/recommendation.hpp"
 #include "drivers/study/pages/study_figures.hpp"
 #include "drivers/study/pages/words.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers::study_page {

@@ -13,7 +13,7 @@
 #include "drivers/material/material_choice.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/program_identity.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/sha256.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 

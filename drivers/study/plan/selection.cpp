@@ -9,7 +9,6 @@
 #include "drivers/format/yaml_writer.hpp"
 #include "drivers/study/plan/plan.hpp"
 #include "drivers/study/plan/study.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
