@@ -7,7 +7,7 @@
 #include "drivers/findings/findings.hpp"
 #include "drivers/output/junit.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/simulation/rim.hpp"
+#include "drivers/simulation/warnings.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/whole_file.hpp"

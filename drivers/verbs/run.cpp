@@ -14,7 +14,6 @@
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/response_source.hpp"
-#include "drivers/simulation/rim.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/system/input_file.hpp"

@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "drivers/scene/expect.hpp"
-#include "drivers/study/analysis/analysis.hpp"
 #include "drivers/study/plan/study_reader.hpp"
 
 namespace assay::drivers {

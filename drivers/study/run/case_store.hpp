@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "drivers/study/plan/plan.hpp"
+#include "drivers/study/plan/study.hpp"
 #include "drivers/study/run/study_case.hpp"
 
 namespace assay::drivers {
