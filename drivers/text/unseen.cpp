@@ -98,7 +98,7 @@ std::string note_of(std::uint32_t code) {
          ", which cannot be seen: " + (blank ? "write a blank in its place" : "delete it");
 }
 
-/// What is meant, and the characters that are easily taken for it.
+/// Marks that are meant, and the characters that are easily taken for them.
 struct Lookalikes {
   const char* meant;
   std::u32string_view codes;
@@ -107,38 +107,6 @@ struct Lookalikes {
 constexpr Lookalikes lookalikes[] = {{"\"", U"\u00ab\u00bb\u201c\u201d\u201e\u2033"},
                                      {".", U"\u00b7\u066b\u22c5\u3002"},
                                      {"*", U"\u00d7\u2217"},
-                                     {"I", U"\u0130\u0399\u0406"},
-                                     {"i", U"\u0131\u03b9\u0456"},
-                                     {"A", U"\u0391\u0410"},
-                                     {"B", U"\u0392\u0412"},
-                                     {"E", U"\u0395\u0415"},
-                                     {"Z", U"\u0396"},
-                                     {"H", U"\u0397\u041d"},
-                                     {"K", U"\u039a\u041a"},
-                                     {"M", U"\u039c\u041c"},
-                                     {"N", U"\u039d"},
-                                     {"O", U"\u039f\u041e"},
-                                     {"P", U"\u03a1\u0420"},
-                                     {"T", U"\u03a4\u0422"},
-                                     {"Y", U"\u03a5\u0423"},
-                                     {"X", U"\u03a7\u0425"},
-                                     {"v", U"\u03bd"},
-                                     {"o", U"\u03bf\u043e"},
-                                     {"p", U"\u03c1\u0440"},
-                                     {"S", U"\u0405"},
-                                     {"J", U"\u0408"},
-                                     {"C", U"\u0421"},
-                                     {"a", U"\u0430"},
-                                     {"e", U"\u0435"},
-                                     {"c", U"\u0441"},
-                                     {"y", U"\u0443"},
-                                     {"x", U"\u0445"},
-                                     {"s", U"\u0455"},
-                                     {"j", U"\u0458"},
-                                     {"h", U"\u04bb"},
-                                     {"d", U"\u0501"},
-                                     {"q", U"\u051b"},
-                                     {"w", U"\u051d"},
                                      {",", U"\u060c\u3001"},
                                      {"-", U"\u2010\u2011\u2012\u2013\u2014\u2015\u2212\ufe58\ufe63"},
                                      {"'", U"\u2018\u2019\u201a\u2032"},
@@ -146,6 +114,13 @@ constexpr Lookalikes lookalikes[] = {{"\"", U"\u00ab\u00bb\u201c\u201d\u201e\u20
                                      {"/", U"\u2044\u2215"},
                                      {":", U"\u2236\ua789"},
                                      {"~", U"\u223c"}};
+
+/// Letters of other scripts, each before the one that is meant.
+constexpr std::u32string_view foreign_letters =
+    U"\u0130I\u0399I\u0406I\u0131i\u03b9i\u0456i\u0391A\u0410A\u0392B\u0412B\u0395E\u0415E\u0396Z\u0397H"
+    U"\u041dH\u039aK\u041aK\u039cM\u041cM\u039dN\u039fO\u041eO\u03a1P\u0420P\u03a4T\u0422T\u03a5Y\u0423Y"
+    U"\u03a7X\u0425X\u03bdv\u03bfo\u043eo\u03c1p\u0440p\u0405S\u0408J\u0421C\u0430a\u0435e\u0441c\u0443y"
+    U"\u0445x\u0455s\u0458j\u04bbh\u0501d\u051bq\u051dw";
 
 /// The zeros of other scripts, and of subscripts.
 constexpr std::array<std::uint32_t, 19> zeros{0x0660, 0x06F0, 0x07C0, 0x0966, 0x09E6, 0x0A66, 0x0AE6,
@@ -166,6 +141,9 @@ std::string meant_by(std::uint32_t code) {
   };
   for (const auto& [meant, codes] : lookalikes) {
     if (codes.find(code) != codes.npos) return meant;
+  }
+  for (std::size_t k = 0; k < foreign_letters.size(); k += 2) {
+    if (foreign_letters[k] == code) return std::string(1, static_cast<char>(foreign_letters[k + 1]));
   }
   for (const std::uint32_t zero : zeros) {
     if (zero <= code && code < zero + 10) return after('0', code - zero);
