@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The source behind drivers/result/build_information.hpp: what this binary was built from, with what, and how.
+# The source behind drivers/result/result.hpp: what this binary was built from, with what, and how.
 set(ASSAY_COMPILER "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
 
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)

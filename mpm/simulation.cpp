@@ -18,8 +18,8 @@ Vector3 initial_velocity(const Setup<Dim>& setup, const Vector3& X) {
     }
     return v;
   }
-  if (!setup.frame) return state_at(*setup.motion, X, 0).v;
-  return setup.frame->seen(state_at(*setup.motion, setup.frame->body_point(X), 0), 0).v;
+  if (!setup.frame) return (*setup.motion)->at(X, 0).v;
+  return setup.frame->seen((*setup.motion)->at(setup.frame->body_point(X), 0), 0).v;
 }
 
 }  // namespace

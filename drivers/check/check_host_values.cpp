@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "drivers/check/check_foreign.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -13,8 +13,7 @@
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/progress.hpp"
-#include "drivers/text/number_format.hpp"
-#include "drivers/text/table_text.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 #include "harness/numeric/stopwatch.hpp"
 

@@ -7,7 +7,7 @@
 #include "drivers/check/replay.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/terminal.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {

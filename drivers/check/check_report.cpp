@@ -8,9 +8,8 @@
 #include "drivers/result/json_fields.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/input_error.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
-#include "drivers/text/table_text.hpp"
+#include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {
 

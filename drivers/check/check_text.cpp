@@ -4,8 +4,7 @@
 
 #include "drivers/check/check_report.hpp"
 #include "drivers/system/input_error.hpp"
-#include "drivers/text/number_format.hpp"
-#include "drivers/text/table_text.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {

@@ -10,7 +10,7 @@
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/whole_file.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "harness/check/specimen.hpp"
 #include "harness/check/symmetry_class.hpp"
 #include "harness/motion/kinds/vortex.hpp"

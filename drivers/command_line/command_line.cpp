@@ -17,7 +17,7 @@
 #include "drivers/command_line/verb.hpp"
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/output/junit.hpp"
-#include "drivers/result/build_information.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/exit_guard.hpp"
 #include "drivers/system/input_error.hpp"

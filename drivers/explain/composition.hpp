@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/result/fields.hpp"
 #include "drivers/result/result.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "harness/exact/exact_fields.hpp"
@@ -92,11 +93,7 @@ struct Observer {
   std::size_t times;
   std::string called_for_by;
 
-  static void fields(auto& self, auto& archive) {
-    archive("name", self.name);
-    archive("times", self.times);
-    archive("called_for_by", self.called_for_by);
-  }
+  ASSAY_FIELDS(name, times, called_for_by)
 };
 std::vector<Observer> observers_of(const Problem& problem);
 

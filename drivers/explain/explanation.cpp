@@ -6,9 +6,9 @@
 #include "drivers/explain/composition.hpp"
 #include "drivers/result/json_fields.hpp"
 #include "drivers/simulation/response_source.hpp"
-#include "drivers/simulation/screening.hpp"
+#include "drivers/simulation/warnings.hpp"
 #include "drivers/system/input_error.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 #include "mpm/step/stages.hpp"
 
@@ -236,7 +236,7 @@ std::string explanation_json(const Problem& problem, const ExactSolution* exact,
   json["sheet"] = written(exact && exact->response() ? exact->response()->sheet() : nullptr);
   json["screen"] = {{"verdict", screen.verdict}, {"smallest", *screen.smallest}, {"unjudged", screen.unjudged}};
   if (screen.largest_safe_amplitude) json["screen"]["largest_safe_amplitude"] = *screen.largest_safe_amplitude;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_document(json);
 }
 
 }  // namespace assay::drivers

@@ -9,7 +9,7 @@
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/check/check_material.hpp"
 #include "drivers/check/replay.hpp"
-#include "drivers/result/build_information.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/simulate.hpp"
@@ -17,7 +17,7 @@
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/supervisor.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

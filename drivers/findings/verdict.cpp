@@ -7,13 +7,11 @@
 #include "drivers/findings/findings.hpp"
 #include "drivers/output/junit.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/simulation/rim.hpp"
+#include "drivers/simulation/warnings.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/whole_file.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
-#include "drivers/text/table_text.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {

@@ -17,6 +17,18 @@ namespace assay::drivers {
 
 namespace {
 
+/// A spreadsheet takes a text for a formula that begins with one of these; an apostrophe before it keeps it a text.
+constexpr std::string_view formula_marks = "=+-@\t\r";
+
+/// A number of a field, with a decimal point or comma; nothing for what is none.
+std::optional<double> csv_value(const std::string& field) {
+  if (field.find(',') == field.npos) return parse_number(field);
+  if (field.find('.') != field.npos) return std::nullopt;
+  std::string with_point = field;
+  with_point[field.find(',')] = '.';
+  return parse_number(with_point);
+}
+
 /// For a message: what cannot be seen is written out, overlong text does not reach the terminal.
 std::string quoted(std::string_view text) { return "'" + shown(text, 40) + "'"; }
 
@@ -75,7 +87,7 @@ class Reader {
   }
 
   [[noreturn]] void refuse_column(const CsvField& field) const {
-    if (csv_value(field.text, true)) {
+    if (csv_value(field.text)) {
       fail(field.column, "a number where names of columns belong, found " + quoted(field.text), joined(known_));
     }
     if (field.text.empty()) fail(field.column, "a column without a name: two separators, or more than one at the end");
@@ -114,7 +126,7 @@ class Reader {
       fail(field.column, name + ": " + quoted(field.text) + " has a comma and a point: thousands are not separated");
     if ((comma && seen_point_) || (point && seen_comma_))
       fail(field.column, name + ": " + quoted(field.text) + ": a decimal comma and a decimal point in one file");
-    const auto value = csv_value(field.text, true);
+    const auto value = csv_value(field.text);
     if (!value || !std::isfinite(*value))
       fail(field.column,
            name + ": " + quoted(field.text) + " is no finite number" +
@@ -170,11 +182,6 @@ std::string unguarded(std::string text) {
 
 }  // namespace
 
-CsvText::CsvText(const std::vector<std::string>& names) : width_(names.size()) {
-  for (std::size_t i = 0; i < names.size(); ++i) text_ += (i ? "," : "") + names[i];
-  text_ += '\n';
-}
-
 void CsvText::row(std::span<const double> values) {
   assert(values.size() == width_);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -184,7 +191,8 @@ void CsvText::row(std::span<const double> values) {
   text_ += '\n';
 }
 
-void CsvFields::row(const std::vector<std::string>& fields) {
+void CsvText::row(const std::vector<std::string>& fields) {
+  assert(fields.size() == width_);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (i > 0) text_ += ',';
     const std::string field = guarded(without_commands(fields[i], "<U+", ">"));
@@ -285,14 +293,6 @@ std::string CsvLines::separator_name() const {
          : separator_ == ';'  ? "a semicolon"
          : separator_ == '\t' ? "a tab"
                               : "'" + std::string(1, separator_) + "'";
-}
-
-std::optional<double> csv_value(const std::string& field, bool comma) {
-  if (!comma || field.find(',') == field.npos) return parse_number(field);
-  if (field.find('.') != field.npos) return std::nullopt;
-  std::string with_point = field;
-  with_point[field.find(',')] = '.';
-  return parse_number(with_point);
 }
 
 }  // namespace assay::drivers

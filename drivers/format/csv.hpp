@@ -13,28 +13,19 @@
 
 namespace assay::drivers {
 
-/// Grows row by row; numbers as the shortest text that reads back the same, what is not finite as an empty field.
+/// Grows row by row. Numbers are the shortest text that reads back the same, what is not finite an empty field. Texts
+/// with a separator, a quote or a line break stand in quotes (RFC 4180). One that a spreadsheet would take for a
+/// formula, because it begins with = + - or @ and is no number, gets an apostrophe.
 class CsvText {
  public:
-  explicit CsvText(const std::vector<std::string>& names);
-  /// As many values as there are names.
+  explicit CsvText(const std::vector<std::string>& names) : width_(names.size()) { row(names); }
+  /// As many fields as there are names.
   void row(std::span<const double> values);
-  const std::string& text() const { return text_; }
-
- private:
-  std::size_t width_;
-  std::string text_;
-};
-
-/// The same of texts: fields with a separator, a quote or a line break stand in quotes (RFC 4180). A text that a
-/// spreadsheet would take for a formula, because it begins with = + - or @ and is no number, gets an apostrophe.
-class CsvFields {
- public:
-  explicit CsvFields(const std::vector<std::string>& names) { row(names); }
   void row(const std::vector<std::string>& fields);
   const std::string& text() const { return text_; }
 
  private:
+  std::size_t width_;
   std::string text_;
 };
 
@@ -61,9 +52,6 @@ CsvTable read_csv(std::string_view text, const std::string& file, const std::vec
 
 /// The bytes of a file; InputError where it cannot be read.
 std::string read_input_file(const std::string& file);
-
-/// A spreadsheet takes a text for a formula that begins with one of these; an apostrophe before it keeps it a text.
-inline constexpr std::string_view formula_marks = "=+-@\t\r";
 
 struct CsvField {
   std::string text;  ///< without blanks around it, its quotes, and the apostrophe before what looks like a formula
@@ -96,8 +84,5 @@ class CsvLines {
   int line_ = 0, broken_ = 0;  ///< breaks within the fields of the line
   char separator_ = 0;
 };
-
-/// A number of a field, with a decimal comma in place of the point where `comma` says so; nothing for what is none.
-std::optional<double> csv_value(const std::string& field, bool comma = false);
 
 }  // namespace assay::drivers

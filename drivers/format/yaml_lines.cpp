@@ -5,7 +5,6 @@
 #include <string>
 
 #include "drivers/format/yaml_reader.hpp"
-#include "drivers/format/yaml_slips.hpp"
 #include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {

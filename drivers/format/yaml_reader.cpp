@@ -12,7 +12,6 @@
 #include <sstream>
 
 #include "drivers/format/yaml_lines.hpp"
-#include "drivers/format/yaml_slips.hpp"
 #include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {
@@ -253,10 +252,6 @@ class Builder : public YAML::EventHandler {
   std::size_t scalar_at_ = 0;  ///< byte at which the last one begins
   int documents_ = 0;
 };
-
-}  // namespace
-
-namespace {
 
 /// A carriage return alone ends a line in YAML; yaml-cpp does not know that.
 std::string with_line_feeds(std::string_view text) {

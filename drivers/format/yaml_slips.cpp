@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/format/yaml_slips.hpp"
+#include "drivers/format/yaml_lines.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "drivers/format/number_slips.hpp"
-#include "drivers/format/yaml_lines.hpp"
 #include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "drivers/format/number_slips.hpp"
-#include "drivers/format/yaml_slips.hpp"
+#include "drivers/format/yaml_lines.hpp"
 #include "drivers/format/yaml_writer.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"

@@ -6,7 +6,7 @@
 
 #include "adapters/foreign/foreign_state.hpp"
 #include "drivers/format/number_slips.hpp"
-#include "drivers/format/yaml_slips.hpp"
+#include "drivers/format/yaml_lines.hpp"
 #include "drivers/format/yaml_writer.hpp"
 #include "drivers/text/numbers.hpp"
 

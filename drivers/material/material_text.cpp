@@ -7,7 +7,6 @@
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/numbers.hpp"
-#include "drivers/text/table_text.hpp"
 #include "drivers/text/wrapped_text.hpp"
 #include "harness/check/symmetry_class.hpp"
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "drivers/system/input_error.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/words.hpp"
 

@@ -2,6 +2,7 @@
 #include "drivers/output/errors_csv.hpp"
 
 #include "drivers/format/csv.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 
@@ -26,7 +27,7 @@ std::vector<std::array<double, 2>> displacement_history(std::string_view text) {
     lines.next();
     while (const auto fields = lines.next()) {
       if (fields->size() < 3) continue;  // a torn row
-      const auto t = csv_value((*fields)[0].text), l2 = csv_value((*fields)[1].text);
+      const auto t = parse_number((*fields)[0].text), l2 = parse_number((*fields)[1].text);
       if (t && l2) history.push_back({*t, *l2});
     }
   } catch (const InputError&) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers::html {
 

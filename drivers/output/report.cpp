@@ -7,7 +7,7 @@
 
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/html.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -5,7 +5,7 @@
 #include "drivers/output/html.hpp"
 #include "drivers/output/report.hpp"
 #include "drivers/picture/drawing.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -158,10 +158,7 @@ void Canvas::stroke(std::span<const Point> line, double width, Color color, doub
 void Canvas::text(Point at, std::string_view label, const TextStyle& style) {
   const double shift = style.anchor == Anchor::left ? 0 : style.anchor == Anchor::middle ? 0.5 : 1;
   const double width = (label_width(label, style.size) - glyph_gap * style.size / glyph_em) * shift;
-  draw_text(style.upwards ? Point{at.x, at.y + width} : Point{at.x - width, at.y}, label, style);
-}
-
-void Canvas::draw_text(Point at, std::string_view label, const TextStyle& style) {
+  at = style.upwards ? Point{at.x, at.y + width} : Point{at.x - width, at.y};
   double along = 0;
   for (const LabelPiece& piece : label_pieces(label)) {
     const double size = style.size * (piece.level == 0 ? 1 : small_scale), unit = size / glyph_em;

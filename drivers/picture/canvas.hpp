@@ -65,7 +65,6 @@ class Canvas {
  private:
   void segment(Point a, Point b, double width, Color color);
   void row(int y, double left, double right, Color color);
-  void draw_text(Point at, std::string_view label, const TextStyle& style);
 
   int width_, height_;
   std::array<int, 4> clip_;  ///< left, top, right, bottom in samples

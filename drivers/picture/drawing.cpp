@@ -7,7 +7,7 @@
 
 #include "drivers/picture/colormap.hpp"
 #include "drivers/picture/stroke_font.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {

@@ -27,6 +27,11 @@ Box beside(Point anchor, Point size, double distance, double angle) {
   return {x - size.x / 2, y - size.y / 2, x + size.x / 2, y + size.y / 2};
 }
 
+/// Where a leader from the anchor meets the box.
+Point nearest_point(const Box& box, Point to) {
+  return {std::clamp(to.x, box.left, box.right), std::clamp(to.y, box.top, box.bottom)};
+}
+
 double distance_of(const Box& box, Point from) {
   const Point to = nearest_point(box, from);
   return std::hypot(to.x - from.x, to.y - from.y);
@@ -51,10 +56,6 @@ bool crosses(Point a, Point b, const Box& box) {
 }
 
 Point roomy_size(std::string_view label, double size) { return {1.25 * label_width(label, size), 1.25 * size}; }
-
-Point nearest_point(const Box& box, Point to) {
-  return {std::clamp(to.x, box.left, box.right), std::clamp(to.y, box.top, box.bottom)};
-}
 
 void LabelPlacer::avoid(std::span<const Point> line) {
   for (std::size_t i = 1; i < line.size(); ++i) lines_.push_back({line[i - 1], line[i]});

@@ -55,7 +55,4 @@ class LabelPlacer {
 void put_label(Drawing& out, LabelPlacer& placer, const std::string& text, double size, Ink ink,
                std::span<const Point> anchors, double reach, bool on_lines = true);
 
-/// Where a leader from the anchor meets the box: its nearest point.
-Point nearest_point(const Box& box, Point to);
-
 }  // namespace assay::drivers

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "drivers/picture/stroke_font.hpp"
 #include "drivers/picture/ticks.hpp"
@@ -14,15 +13,6 @@ namespace {
 
 constexpr double plot_width = 600, plot_height = 400, plot_text_size = 14;
 constexpr Ink text_ink{Ink::Role::text, 0}, axis_ink{Ink::Role::axis, 0}, grid_ink{Ink::Role::grid, 0};
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  void add(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  bool empty() const { return !(low <= high); }
-};
 
 /// What an axis can hold: finite, positive where logarithmic, and not at the very ends of the doubles.
 bool usable(double value, bool logarithmic) { return std::abs(value) < 1e280 && (!logarithmic || value > 1e-280); }
@@ -47,7 +37,7 @@ std::vector<std::vector<Placed>> runs(const LinePlot& plot, const Series& series
 
 /// Axes around all data; without any, of the unit square.
 bool fit_axes(const LinePlot& plot, PlotFrame& frame) {
-  Range x, y;
+  Extent x, y;
   bool markers = false;
   for (const Series& series : plot.series) {
     markers = markers || series.markers;

@@ -44,13 +44,12 @@ void draw(Canvas& canvas, const ColorBar& bar) {
 }
 
 std::array<double, 2> color_range(std::span<const double> values, ColorMap map) {
-  double low = INFINITY, high = -INFINITY;
+  Extent finite;
   for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    low = std::min(low, value);
-    high = std::max(high, value);
+    if (std::isfinite(value)) finite.add(value);
   }
-  if (!(low <= high)) return {0, 1};
+  if (finite.empty()) return {0, 1};
+  auto [low, high] = finite;
   if (map == ColorMap::diverging) {
     high = std::max(std::abs(low), std::abs(high));
     if (high == 0) high = 1;

@@ -2,6 +2,8 @@
 // Where an axis is marked, what is written there, and the frame of a plot between two axes.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,16 @@ struct Axis {
   std::string titled(const std::string& label) const;
   /// Width of the widest of the marks' labels [pixel].
   double widest_label(double size) const;
+};
+
+/// From the least to the largest of values.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  bool empty() const { return !(low <= high); }
 };
 
 /// The rectangle of a plot between its axes.

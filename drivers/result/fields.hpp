@@ -7,15 +7,25 @@
 //   }
 //
 // A call names a value, a struct with fields or a list of them; with unit and doc, or unit, name and doc. A section is
-// an object of its own: of what a function names, or of a struct that may be absent, whose values are then null.
+// an object of its own: of what a function names, or of a struct that may be absent, whose values are then null. Where
+// nothing is said of members but their own names, ASSAY_FIELDS(l2_end, l2_max) is all.
 #pragma once
 
 #include <array>
+#include <boost/preprocessor/seq/for_each.hpp>
+#include <boost/preprocessor/stringize.hpp>
+#include <boost/preprocessor/variadic/to_seq.hpp>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#define ASSAY_FIELD(_, archive, member) archive(BOOST_PP_STRINGIZE(member), self.member);
+#define ASSAY_FIELDS(...)                                                              \
+  static void fields(auto& self, auto& archive) {                                      \
+    BOOST_PP_SEQ_FOR_EACH(ASSAY_FIELD, archive, BOOST_PP_VARIADIC_TO_SEQ(__VA_ARGS__)) \
+  }
 
 namespace assay::drivers {
 

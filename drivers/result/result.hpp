@@ -50,6 +50,10 @@ struct Provenance {
   }
 };
 
+/// What this binary was built from, with what, and how: version, `git describe` of the sources ("unknown" outside a
+/// checkout), compiler, its flags, versions of the libraries; `scene_sha256` is left empty. Never fails.
+Provenance build_information();
+
 struct Result {
   std::string title;
   std::string subject;  ///< what was run, one line: material, method, grid, amplitude

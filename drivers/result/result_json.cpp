@@ -2,6 +2,7 @@
 #include "drivers/result/result_json.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "drivers/result/json_fields.hpp"
@@ -34,9 +35,23 @@ void visit_leaves(const Json& object, const std::string& prefix, const Visit& vi
 
 }  // namespace
 
+nlohmann::ordered_json json_figure(const std::optional<double>& value) {
+  if (!value || !std::isfinite(*value)) return nullptr;
+  return *value;
+}
+
+std::string json_document(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+nlohmann::ordered_json json_text(const std::string& text) {
+  if (text.empty()) return nullptr;
+  return text;
+}
+
 std::string result_json(const Result& result) {
   // A reason may quote foreign text: bytes that are no UTF-8 must not stop the report.
-  return JsonFields<Json>::of(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_document(JsonFields<Json>::of(result));
 }
 
 std::map<std::string, FlatValue> flatten(const Result& result) {

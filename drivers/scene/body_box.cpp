@@ -35,7 +35,7 @@ Box corner_swept_box(const Scene& scene) {
   for (int k = 0; k <= looks; ++k) {
     for (const double X : {own.lower[0], own.upper[0]}) {
       for (const double Y : {own.lower[1], own.upper[1]})
-        box.hold(state_at(scene.motion, {X, Y, 0}, scene.time.end * k / looks).x);
+        box.hold(scene.motion->at({X, Y, 0}, scene.time.end * k / looks).x);
     }
   }
   return box;

@@ -3,7 +3,6 @@
 
 #include "drivers/format/csv.hpp"
 #include "drivers/system/input_error.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 

@@ -18,7 +18,7 @@ namespace {
 using Operator = Expectation::Operator;
 
 void read_comparison(const Tree& map, const std::string& path, Expectation& line) {
-  const std::vector<std::string>& operators = expectation_operators();
+  const std::vector<std::string> operators = words_of<Operator>();
   refuse_unknown_keys(map, path, operators);
   if (map.entries.size() != 1) {
     throw InputError(map.where, path, "must hold exactly one operator", joined(operators));
@@ -60,7 +60,7 @@ Expectation read_line(const Tree::Entry& entry, const ExpectationWords& words) {
     read_comparison(entry.value, path, line);
   } else if (entry.value.kind == Tree::Kind::sequence) {
     throw InputError(entry.value.where, path, "must be a number or a map with one operator, found a list",
-                     joined(expectation_operators()));
+                     joined(words_of<Operator>()));
   } else {
     line.number = number_value(entry.value, path);
   }
@@ -77,7 +77,7 @@ bool holds(const Expectation& line, double found) {
 std::string expected_text(const Expectation& line) {
   if (line.text) return *line.text;
   if (line.truth) return *line.truth ? "true" : "false";
-  const std::string name = expectation_operators()[static_cast<std::size_t>(line.op)];
+  const std::string name = word_of(line.op);
   if (line.op == Operator::between) return name + " " + number_text(line.number) + " and " + number_text(line.upper);
   return name + " " + number_text(line.number);
 }
@@ -101,13 +101,6 @@ std::vector<Expectation> of_any_response(const SheetFigures& response) {
 
 }  // namespace
 
-bool is_text_figure(const std::string& key) { return figure_of_result(key).kind == Field::Kind::text; }
-
-const std::vector<std::string>& expectation_operators() {
-  static const std::vector<std::string> names = words_of<Operator>();
-  return names;
-}
-
 const std::vector<std::string>& known_outcomes() {
   static const std::vector<std::string> names{"completed", "unstable", "material_failed", "refused"};
   return names;
@@ -126,7 +119,7 @@ std::vector<Expectation> read_expectations(const Tree& map, const ExpectationWor
 std::string expectation_yaml(const Expectation& line) {
   if (line.text) return yaml_scalar(*line.text);
   if (line.truth) return expected_text(line);
-  const std::string name = expectation_operators()[static_cast<std::size_t>(line.op)];
+  const std::string name = word_of(line.op);
   if (line.op == Operator::between) {
     return "{between: [" + yaml_number(line.number) + ", " + yaml_number(line.upper) + "]}";
   }

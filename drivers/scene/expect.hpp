@@ -39,10 +39,4 @@ std::vector<ExpectationOutcome> judge(const std::vector<Expectation>& expectatio
 /// What a repetition of a run that failed is to find: its outcome, and errors of the response that are as large.
 std::vector<Expectation> expected_again(const Result& result);
 
-/// What an expected number may be compared by, in the order of Expectation::Operator.
-const std::vector<std::string>& expectation_operators();
-
-/// Whether a key of result.json holds text.
-bool is_text_figure(const std::string& key);
-
 }  // namespace assay::drivers

@@ -40,7 +40,7 @@ Value value_of(const Member& member) {
   if constexpr (Optional<Member>::value) {
     return member ? value_of(*member) : Value();
   } else if constexpr (std::is_enum_v<Member>) {
-    return std::string(names_of(member)[static_cast<std::size_t>(member)]);
+    return word_of(member);
   } else if constexpr (std::is_same_v<Member, Tensor>) {
     std::vector<double> list;
     for (int i = 0; i < 9; ++i) list.push_back(component(member, i));

@@ -39,7 +39,7 @@ Interval cosines(double lower, double upper) {
 
 }  // namespace
 
-Path baseline_path(const Scene& scene) { return with_direction(baseline_of(scene.motion), scene); }
+Path baseline_path(const Scene& scene) { return with_direction(scene.motion->baseline(), scene); }
 
 std::vector<Path> baseline_paths(const Scene& scene) {
   const auto* box = scene.motion.as<AxisAligned>();

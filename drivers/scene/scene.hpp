@@ -159,6 +159,12 @@ struct Scene {
   Location place(const std::string& key) const;
 };
 
+/// Throws InputError at a key of the scene.
+[[noreturn]] inline void refuse(const Scene& scene, const std::string& key, const std::string& why,
+                                const std::string& known = {}) {
+  throw InputError(scene.place(key), key, why, known);
+}
+
 /// The baseline of the scene's motion with the material's direction, a unit vector, in its frame: E1 = e_R.
 Path baseline_path(const Scene& scene);
 

@@ -6,7 +6,6 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene_keys.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"

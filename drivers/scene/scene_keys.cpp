@@ -243,6 +243,6 @@ std::vector<std::string> names_under(const std::string& section, const Scene* sc
   return names;
 }
 
-std::string domain_name(Body::Domain domain) { return names_of(domain)[static_cast<std::size_t>(domain)]; }
+std::string domain_name(Body::Domain domain) { return word_of(domain); }
 
 }  // namespace assay::drivers

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <variant>
 #include <vector>
@@ -68,5 +69,24 @@ std::vector<Key> motion_keys();
 
 /// The words of motion.type of all motions for which something holds.
 std::vector<std::string> types_of(const std::function<bool(const Motion&)>& holds);
+
+// `assay schema`: scenes as JSON Schema (draft 2020-12), and what the schema of studies shares with it.
+
+/// Indented JSON with a newline at the end.
+std::string schema_json();
+
+/// Of keys that every map may have: those that are merged into it, as YAML has it.
+inline constexpr const char *merge_name = "<<", *merge_pattern = "^<<$";
+/// Of keys of the whole that hold anchors.
+inline constexpr const char* anchors_pattern = "^x-";
+
+/// What names a schema to an editor, "urn:assay:schema:scene:1.0.0": the same on every machine.
+std::string schema_id(const std::string& what);
+
+/// The values of a key of a scene.
+nlohmann::ordered_json type_schema(const Key& key);
+
+/// What is said of a figure of result.json, and what may be expected of it; `outcomes` are those that there may be.
+nlohmann::ordered_json expectation_schema(const std::string& key, const std::vector<std::string>& outcomes);
 
 }  // namespace assay::drivers

@@ -7,7 +7,7 @@
 
 #include "drivers/format/file_kind.hpp"
 #include "drivers/format/number_slips.hpp"
-#include "drivers/format/yaml_slips.hpp"
+#include "drivers/format/yaml_lines.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/scene/scene_keys.hpp"
@@ -178,7 +178,7 @@ void read_motion_path(const Tree& root, Interpolation otherwise, Scene& scene) {
   }
   scene.motion = read_deformation_table(table, interpolation);
   const Tree* period = value_at(root, "motion.period");
-  const double last = period_of(scene.motion);
+  const double last = scene.motion->period();
   if (period && number_value(*period, "motion.period") != last) {
     throw InputError(period->where, "motion.period",
                      "is the time of the last row of motion.path, " + number_text(last) + ": leave it out");
@@ -203,7 +203,7 @@ void derive(const Tree& root, Scene& scene) {
     const bool loaded = scene.motion->bears_tractions();  // on the ring's faces
     scene.body.cut = average || loaded ? Body::Cut::clipped : Body::Cut::whole;
   }
-  if (!value_at(root, "time.end")) scene.time.end = period_of(scene.motion);
+  if (!value_at(root, "time.end")) scene.time.end = scene.motion->period();
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/scene/schema.hpp"
+#include "drivers/scene/scene_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "drivers/result/build_information.hpp"
 #include "drivers/result/json_fields.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
 #include "harness/motion/registry.hpp"
@@ -46,53 +46,11 @@ Json list_schema(const Json& items, int count) {
   return {{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
 }
 
-Json type_json(const Key& key) {
-  switch (key.type) {
-    case KeyType::number:
-      return number_schema(key.range);
-    case KeyType::automatic:
-      return {{"oneOf", Json::array({number_schema(key.range), Json{{"const", "auto"}}})}};
-    case KeyType::boolean:
-      return {{"type", "boolean"}};
-    case KeyType::text:
-      return {{"type", Json::array({"string", "number", "boolean"})}};
-    case KeyType::choice:
-      return {{"enum", key.choices}};
-    case KeyType::pair:
-      return list_schema(number_schema(key.range), 2);
-    case KeyType::vector:
-      return list_schema(number_schema(key.range), 3);
-    case KeyType::matrix:
-      return list_schema(list_schema(number_schema(key.range), 3), 3);
-  }
-  return {};
-}
-
 /// A map of one operator.
 Json operator_schema(const std::string& name, const Json& value) {
   Json one{{"type", "object"}, {"additionalProperties", false}, {"required", Json::array({name})}};
   one["properties"][name] = value;
   return one;
-}
-
-/// What is said of the figure, and what may be expected of it.
-Json expectation_json(const std::string& key, const std::vector<std::string>& outcomes) {
-  const Field figure = figure_of_result(key);
-  Json out = Json::object(), values = Json::array();
-  const bool has_unit = !figure.unit.empty() && figure.unit != "1";
-  if (!figure.doc.empty()) out["description"] = figure.meaning() + (has_unit ? " [" + figure.unit + "]" : "");
-  if (figure.kind == Field::Kind::number) {
-    const Json number{{"type", "number"}};
-    for (const std::string& name : expectation_operators())
-      values.push_back(operator_schema(name, name == "between" ? list_schema(number, 2) : number));
-    values.push_back(number);
-  } else {
-    const bool is_truth = figure.kind == Field::Kind::truth;
-    const Json one = key == "outcome" ? Json{{"enum", outcomes}} : Json{{"type", is_truth ? "boolean" : "string"}};
-    values = Json::array({one, operator_schema("equals", one)});
-  }
-  out["oneOf"] = values;
-  return out;
 }
 
 Json default_of(const Key& key) {
@@ -105,7 +63,7 @@ Json default_of(const Key& key) {
 }
 
 Json key_schema(const Key& key) {
-  Json out = type_json(key);
+  Json out = type_schema(key);
   std::string doc = key.doc;
   if (!key.derived.empty()) doc += "; default: " + key.derived;
   out["description"] = doc;
@@ -117,7 +75,7 @@ Json free_section(const Section& section) {
   Json out{{"type", "object"}, {"description", section.doc}, {"patternProperties", {{merge_pattern, Json::object()}}}};
   if (section.path == "expect") {
     out["additionalProperties"] = false;
-    for (const std::string& key : flat_keys()) out["properties"][key] = expectation_json(key, known_outcomes());
+    for (const std::string& key : flat_keys()) out["properties"][key] = expectation_schema(key, known_outcomes());
   } else {
     out["additionalProperties"] = {{"type", "number"}};
   }
@@ -158,10 +116,45 @@ std::string schema_id(const std::string& what) {
   return "urn:assay:schema:" + what + ":" + build_information().version;
 }
 
-std::string type_schema(const Key& key) { return type_json(key).dump(); }
+nlohmann::ordered_json type_schema(const Key& key) {
+  switch (key.type) {
+    case KeyType::number:
+      return number_schema(key.range);
+    case KeyType::automatic:
+      return {{"oneOf", Json::array({number_schema(key.range), Json{{"const", "auto"}}})}};
+    case KeyType::boolean:
+      return {{"type", "boolean"}};
+    case KeyType::text:
+      return {{"type", Json::array({"string", "number", "boolean"})}};
+    case KeyType::choice:
+      return {{"enum", key.choices}};
+    case KeyType::pair:
+      return list_schema(number_schema(key.range), 2);
+    case KeyType::vector:
+      return list_schema(number_schema(key.range), 3);
+    case KeyType::matrix:
+      return list_schema(list_schema(number_schema(key.range), 3), 3);
+  }
+  return {};
+}
 
-std::string expectation_schema(const std::string& key, const std::vector<std::string>& outcomes) {
-  return expectation_json(key, outcomes).dump();
+nlohmann::ordered_json expectation_schema(const std::string& key, const std::vector<std::string>& outcomes) {
+  const Field figure = figure_of_result(key);
+  Json out = Json::object(), values = Json::array();
+  const bool has_unit = !figure.unit.empty() && figure.unit != "1";
+  if (!figure.doc.empty()) out["description"] = figure.meaning() + (has_unit ? " [" + figure.unit + "]" : "");
+  if (figure.kind == Field::Kind::number) {
+    const Json number{{"type", "number"}};
+    for (const std::string& name : words_of<Expectation::Operator>())
+      values.push_back(operator_schema(name, name == "between" ? list_schema(number, 2) : number));
+    values.push_back(number);
+  } else {
+    const bool is_truth = figure.kind == Field::Kind::truth;
+    const Json one = key == "outcome" ? Json{{"enum", outcomes}} : Json{{"type", is_truth ? "boolean" : "string"}};
+    values = Json::array({one, operator_schema("equals", one)});
+  }
+  out["oneOf"] = values;
+  return out;
 }
 
 std::string schema_json() {

@@ -19,7 +19,7 @@ std::vector<std::string> steps_of(const std::string& path) {
   const std::string section = "expect.";
   if (!path.starts_with(section)) return split(path, '.');
   const std::string key = path.substr(section.size()), last = last_part(key);
-  if (last != key && is_one_of(last, expectation_operators())) return {"expect", parent_of(key), last};
+  if (last != key && is_one_of(last, words_of<Expectation::Operator>())) return {"expect", parent_of(key), last};
   return {"expect", key};
 }
 

@@ -6,7 +6,7 @@
 
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/simulation/warnings.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "harness/check/march.hpp"
 #include "harness/stability/acoustic_tensor.hpp"
 #include "harness/stability/tangent_modulus.hpp"

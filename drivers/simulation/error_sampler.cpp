@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/simulation/response_source.hpp"
 #include "harness/numeric/largest.hpp"
 #include "harness/numeric/norms.hpp"
 
@@ -29,13 +30,6 @@ double distance2(const std::array<double, N>& a, const std::array<double, N>& b)
 
 double determinant(const std::array<double, 4>& F) { return F[0] * F[3] - F[1] * F[2]; }
 
-template <std::size_t N>
-std::array<double, N> components(const mpm::State<2>& s, Column which, std::size_t p) {
-  std::array<double, N> values;
-  for (std::size_t c = 0; c < N; ++c) values[c] = s.column(which, static_cast<int>(c))[p];
-  return values;
-}
-
 FieldError of(const NormAccumulator& norm, double unit = 1) { return {norm.l2() * unit, norm.linf() * unit}; }
 
 /// 1 where it has no size.
@@ -48,10 +42,6 @@ std::array<double, N> over(std::array<double, N> values, double unit) {
 }
 
 }  // namespace
-
-ExactSolutionPtr as_seen(const Scene& scene, const ExactSolutionPtr& own) {
-  return scene.frame ? seen_from(*scene.frame, own) : own;
-}
 
 ErrorSampler::ErrorSampler(const Problem& problem, const ExactSolutionPtr& solution, const mpm::State<2>& state)
     : held_(problem.setup.seeds.held.size()),
@@ -71,19 +61,19 @@ ErrorSample ErrorSampler::sample(const mpm::State<2>& s, double t, double veloci
   NormAccumulator u, v, F, J, stress, exact, all;
   for (std::size_t p = 0; p < s.particles; ++p) {
     const PlaneState e = now_->state(p);
-    const auto F_p = components<4>(s, Column::deformation_gradient, p);
+    const auto F_p = s.at<4>(Column::deformation_gradient, p);
     const double volume = s.column(Column::volume)[p];
-    const double du2 = distance2(components<2>(s, Column::position, p), e.x);
+    const double du2 = distance2(s.at<2>(Column::position, p), e.x);
     displacement_error_[p] = std::sqrt(du2);
     measure_[p] = now_->measure(p, F_p);
     all.add(1, du2);
     if (!now_->moves(p)) continue;
     u.add(volume, du2);
     exact.add(volume, distance2(now_->displacement(p), {}));
-    v.add(volume, distance2(components<2>(s, Column::velocity, p), velocity_->velocity(p)));  // (28)
+    v.add(volume, distance2(s.at<2>(Column::velocity, p), velocity_->velocity(p)));  // (28)
     F.add(volume, distance2(F_p, e.F));
     J.add(volume, square(determinant(F_p) - determinant(e.F)));
-    stress.add(volume, distance2(over(components<5>(s, Column::stress, p), stress_unit_), over(e.sigma, stress_unit_)));
+    stress.add(volume, distance2(over(s.at<5>(Column::stress, p), stress_unit_), over(e.sigma, stress_unit_)));
   }
   exact_displacement_ = exact.l2();
   ErrorSample result{t, of(u), 0, of(v), of(F), of(J), of(stress, stress_unit_)};
@@ -96,18 +86,17 @@ ErrorFigures figures_of(const std::vector<ErrorSample>& history, double half_per
                         double largest_displacement) {
   ErrorFigures f;
   const auto grow = [](Figure& figure, double value) { figure = larger(figure.value_or(0), value); };
+  const auto grow_both = [&](FieldMaximum& most, const FieldError& error) {
+    grow(most.l2_max, error.l2), grow(most.linf_max, error.linf);
+  };
   for (const ErrorSample& sample : history) {
     grow(f.l2_max, sample.displacement.l2);
     grow(f.linf_max, sample.displacement.linf);
     grow(f.rms36_max, sample.rms36);
-    grow(f.velocity.l2_max, sample.velocity.l2);
-    grow(f.velocity.linf_max, sample.velocity.linf);
-    grow(f.deformation_gradient.l2_max, sample.deformation_gradient.l2);
-    grow(f.deformation_gradient.linf_max, sample.deformation_gradient.linf);
-    grow(f.jacobian.l2_max, sample.jacobian.l2);
-    grow(f.jacobian.linf_max, sample.jacobian.linf);
-    grow(f.stress.l2_max, sample.stress.l2);
-    grow(f.stress.linf_max, sample.stress.linf);
+    grow_both(f.velocity, sample.velocity);
+    grow_both(f.deformation_gradient, sample.deformation_gradient);
+    grow_both(f.jacobian, sample.jacobian);
+    grow_both(f.stress, sample.stress);
     if (std::abs(sample.t - end) <= same_time * end) f.l2_end = sample.displacement.l2, f.rms36_end = sample.rms36;
   }
   // T/2: the nearest sample where the run got that far, unless its steps are so long that it is of another time

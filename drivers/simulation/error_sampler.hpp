@@ -9,9 +9,6 @@
 
 namespace assay::drivers {
 
-/// The solution in the scene's frame.
-ExactSolutionPtr as_seen(const Scene& scene, const ExactSolutionPtr& own);
-
 class ErrorSampler {
  public:
   ErrorSampler(const Problem& problem, const ExactSolutionPtr& solution, const mpm::State<2>& state);

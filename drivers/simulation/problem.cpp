@@ -9,13 +9,10 @@
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene.hpp"
 #include "drivers/scene/scene_keys.hpp"
-#include "drivers/simulation/body_ends.hpp"
-#include "drivers/simulation/scene_limits.hpp"
-#include "drivers/simulation/seeds.hpp"
+#include "drivers/simulation/body_faces.hpp"
 #include "drivers/simulation/time_steps.hpp"
-#include "drivers/simulation/traction_choice.hpp"
 #include "drivers/system/terminal.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
 #include "mpm/basis/corners.hpp"
 #include "mpm/patch/methods.hpp"
@@ -101,7 +98,7 @@ void choose_forces(Problem& problem) {
   Scene& scene = problem.scene;
   mpm::Setup<2>& setup = problem.setup;
   const bool forced = scene.force.response != ForceChoice::Response::none;
-  setup.body_force = forced && accelerates(scene.motion);
+  setup.body_force = forced && scene.motion->accelerates();
   problem.compared = forced;
   setup.traction = traction_of(scene);
   if (!setup.traction) setup.seeds.surface.clear();
@@ -120,7 +117,7 @@ void choose_forces(Problem& problem) {
   }
   // a force that is linear in X is on a domain what it is in its middle; at Gauss points their rule takes the mean
   const bool pointwise =
-      is_homogeneous(scene.motion) || (!ring_of(scene.motion) && scene.body.lattice == Body::Lattice::gauss);
+      scene.motion->is_homogeneous() || (!ring_of(scene.motion) && scene.body.lattice == Body::Lattice::gauss);
   setup.evaluation = pointwise ? mpm::Evaluation::point : scene.force.evaluation;
   setup.inertia = scene.force.inertia;
 }
@@ -152,13 +149,11 @@ std::string frame_text(const Frame& frame) {
 }
 
 std::string Problem::motion_text() const {
-  if (is_vortex(scene.motion)) return "; amplitude " + rounded_text(amplitude_of(scene.motion)->peak, 4);
+  if (is_vortex(scene.motion)) return "; amplitude " + rounded_text(scene.motion->amplitude()->peak, 4);
   std::string text = "; " + motion_type(scene);
-  constexpr const char* algorithms[] = {"edges", "virtual stress", "particles", "undeformed edges"};
-  constexpr const char* forms[] = {"follower", "reference"};
   if (setup.traction) {
-    text += ", traction by " + std::string(algorithms[static_cast<int>(setup.traction->algorithm)]) + ", " +
-            forms[static_cast<int>(setup.traction->form)] + " form";
+    text += ", traction by " + in_plain_words(word_of(setup.traction->algorithm)) + ", " +
+            word_of(setup.traction->form) + " form";
   }
   return text;
 }
@@ -166,15 +161,14 @@ std::string Problem::motion_text() const {
 std::string Problem::subject() const {
   const mpm::MethodNames names = mpm::names_of(setup.method);
   const mpm::Method& method = setup.method;
-  constexpr const char* integrators[] = {"", ", leapfrog", ", symplectic_rkn4"};
-  constexpr const char* lattices[] = {"", ", polar", ", gauss", ", jittered"};
   std::string way = names.basis + (method.is_total() ? ", total, " : ", ") + names.transfer + ", " + names.update;
   if (method.mass != mpm::Mass::lumped) way += ", " + names.mass;
   if (method.has_terms()) way += " " + std::to_string(method.terms);
-  way += integrators[static_cast<int>(method.integrator)] + remedies_text(setup.remedies);
+  if (method.integrator != mpm::Integrator::symplectic_euler) way += ", " + word_of(method.integrator);
+  way += remedies_text(setup.remedies);
   return material->name() + "; " + way + "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " +
          std::to_string(scene.body.per_cell[0]) + "x" + std::to_string(scene.body.per_cell[1]) + " a cell" +
-         lattices[static_cast<int>(scene.body.lattice)] + motion_text() +
+         (scene.body.lattice == Body::Lattice::cartesian ? "" : ", " + word_of(scene.body.lattice)) + motion_text() +
          (scene.frame ? "; frame: " + frame_text(*scene.frame) : "") +
          (setup.uses_exact_solution() ? "; uses the exact solution" : "");
 }

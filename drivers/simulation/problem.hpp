@@ -25,7 +25,7 @@ struct Problem {
   mpm::Setup<2> setup;  ///< complete but for the response
 
   bool compared = false;  ///< the body moves as the motion says: forced, or free of forces that it would need
-  double period() const { return period_of(scene.motion); }  ///< T of the motion [s]
+  double period() const { return scene.motion->period(); }  ///< T of the motion [s]
   std::int64_t particles() const { return static_cast<std::int64_t>(setup.seeds.size() + setup.seeds.held.size()); }
   /// "neo_hookean; cpdi, flip, usl; h = 0.05 m; 2x2 particles a cell; amplitude 1".
   std::string subject() const;
@@ -44,5 +44,31 @@ std::shared_ptr<const Material> material_of(Scene& scene, std::string& library);
 /// Throws InputError where the scene cannot be run or exceeds its limits, MaterialFailure where the material fails on
 /// the baseline path. Builds no sheet and moves no particle.
 Problem assemble(const Scene& scene, int threads);
+
+/// The particles that a scene's body and lattice call for: of a scene of the vortex with a grid. On a square or box
+/// whose outside is held, a particle is stepped where its centre lies in the ring; with an averaged force, also where
+/// only a part of its cell does: it bears a share of it. A frame's angle turns them all; uGIMP's boxes stay along the
+/// axes.
+mpm::Seeds<2> seeds_of(const Scene& scene);
+
+// Whether a scene can be run, and within its limits.
+
+/// Cells around the body: room to go wrong in before the grid's edge.
+inline constexpr int grid_margin = 4;
+
+/// Throws InputError where the motion has no acceleration at some times.
+void require_acceleration(const Scene& scene);
+
+/// Throws InputError where the motion, the method or the body cannot be run.
+void require_runnable(const Scene& scene);
+
+/// Before a lattice and a grid are made: throws InputError where their sizes alone are out of all bounds.
+void check_sizes(const Scene& scene);
+
+/// Throws InputError where the integrator cannot do with the material's stress.
+void require_reversible(const Scene& scene, const Material& material);
+
+/// Throws InputError where memory or particle-steps exceed the scene's limits.
+void check_limits(const Problem& problem);
 
 }  // namespace assay::drivers

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a scene's response tau(xi, t) comes from: the material's closed form, a sheet from disk, a new one.
+// Where a scene's response tau(xi, t) comes from: the material's closed form, a sheet from disk, a new one;
+// and the exact solution that is made of it.
 #pragma once
 
+#include <chrono>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "drivers/output/points_csv.hpp"
 #include "drivers/scene/scene.hpp"
+#include "drivers/system/progress.hpp"
 #include "harness/exact/exact_fields.hpp"
+#include "harness/sheet/sheet.hpp"
 
 namespace assay::drivers {
 
@@ -25,10 +33,56 @@ std::shared_ptr<const Response> response_of(const Scene& scene, const std::share
 ExactSolutionPtr exact_solution_of(const Scene& scene, const std::shared_ptr<const Material>& material, double end,
                                    const ResponseMaking& how = {});
 
-/// The same for single points at any times, as the scene's frame sees them: each as exact as it can be. The unit box
-/// has histories around each point. A motion whose F is the same everywhere has one on its own path, xi =
-/// own_parameter(), unless a closed form is asked for.
-ExactSolutionPtr exact_solution_at_points(const Scene& scene, const std::shared_ptr<const Material>& material,
-                                          double end, bool quiet);
+/// The solution in the scene's frame.
+ExactSolutionPtr as_seen(const Scene& scene, const ExactSolutionPtr& own);
+
+/// Throws InputError where a point's time lies beyond the last row of motion.path, or the point outside a twisting
+/// ring.
+void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>& points, const std::string& file);
+
+/// Stress and body force of the scene's exact motion at each point, in their order, as the scene's frame sees them,
+/// over times 0 .. end. Throws InputError, MaterialFailure, Interrupted. quiet: no terminal shows how far it is.
+std::vector<ExactPoint> exact_points(const Scene& scene, const std::shared_ptr<const Material>& material,
+                                     const std::vector<ReferencePoint>& points, double end, bool quiet = true);
+
+// What a terminal shows while a sheet is made, and what is said before a long one.
+
+/// Of a sheet that is expected to take so long, at that tolerance: what makes it shorter.
+std::string long_sheet_sentence(double seconds, double tolerance);
+
+/// How long work may take in all [s], where that is to be told now: at first where it is long, again where it takes
+/// longer than was told. elapsed_s, share: of the work until now.
+class Forecast {
+ public:
+  std::optional<double> told(double elapsed_s, double share);
+  bool was_told() const { return told_s_ > 0; }
+
+ private:
+  double told_s_ = 0;
+};
+
+class SheetLine {
+ public:
+  SheetLine(double tolerance, bool quiet);
+  SheetLine(const SheetLine&) = delete;
+  SheetLine& operator=(const SheetLine&) = delete;
+
+  void update(const SheetProgress& now);
+
+  /// Behind the last update: whoever was told of a long time is told of its end.
+  void end();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void foresee(const SheetProgress& now);
+  double elapsed_s() const;
+
+  double tolerance_;
+  bool quiet_;
+  Forecast forecast_;
+  Progress progress_;
+  Clock::time_point begin_ = {};  ///< of the histories
+  double behind_ = -1;            ///< histories that were followed then; below 0: none is yet
+};
 
 }  // namespace assay::drivers

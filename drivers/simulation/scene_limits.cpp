@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/scene_limits.hpp"
+#include "drivers/simulation/problem.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "drivers/scene/body_box.hpp"
-#include "drivers/simulation/traction_choice.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/simulation/body_faces.hpp"
+#include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
@@ -43,11 +43,11 @@ void require_acceleration(const Scene& scene) {
 
 void require_runnable(const Scene& scene) {
   require_acceleration(scene);
-  if (!is_plane(scene.motion)) {
+  if (!scene.motion->is_plane()) {
     refuse(scene, "motion",
            "the method is plane strain: nothing may happen out of the plane, and axes must be [0, 0, 1]");
   }
-  const Amplitude* amplitude = is_vortex(scene.motion) ? amplitude_of(scene.motion) : nullptr;
+  const Amplitude* amplitude = is_vortex(scene.motion) ? scene.motion->amplitude() : nullptr;
   if (amplitude && amplitude->type == Amplitude::Type::ramp && scene.time.end > amplitude->period) {
     refuse(scene, "time.end",
            "a ramp stops at its period: the velocity jumps there, and no body force can do that; end the run "

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/screening.hpp"
-
+// The stability screen of a scene's motion.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 
+#include "drivers/simulation/warnings.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/progress.hpp"
 #include "drivers/system/terminal.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
+#include "drivers/text/words.hpp"
 #include "harness/material/material_failure.hpp"
 #include "harness/stability/stability_screen.hpp"
 
@@ -29,7 +30,7 @@ double rounded_down(double value) {
 /// What scales the motion: the vortex's peak [rad], that of the bar [m]; of any other motion its parameter, 1 as it
 /// stands.
 double peak_of(const Motion& motion, const Path& path) {
-  const Amplitude* amplitude = amplitude_of(motion);
+  const Amplitude* amplitude = motion->amplitude();
   return amplitude && path.straight() ? std::abs(amplitude->peak) : 1;
 }
 
@@ -38,24 +39,12 @@ std::string safe_text(const ScreenFigures& screen, const std::string& of_what) {
   return "; largest safe amplitude " + rounded_text(*screen.largest_safe_amplitude, 3) + of_what;
 }
 
-const char* name_of(StabilityScreen::Verdict verdict) {
-  switch (verdict) {
-    case StabilityScreen::Verdict::stable:
-      return "stable";
-    case StabilityScreen::Verdict::unstable:
-      return "unstable";
-    case StabilityScreen::Verdict::neutral:
-      break;
-  }
-  return "neutral";
-}
-
 }  // namespace
 
 ScreenFigures screen_of(const Scene& scene, const Material& material, double end, bool quiet) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Path> paths = baseline_paths(scene);
-  const double watched = std::min(end, watched_periods * period_of(scene.motion));
+  const double watched = std::min(end, watched_periods * scene.motion->period());
   Progress line("stability", quiet);
   const auto screened = [&](const Path& path) {
     return screen_stability(material, path, watched, [&](double share) { line.update(share); });
@@ -68,7 +57,7 @@ ScreenFigures screen_of(const Scene& scene, const Material& material, double end
   line.finish();
   const Path& path = paths.front();
   ScreenFigures figures;
-  figures.verdict = name_of(found.verdict);
+  figures.verdict = word_of(found.verdict);
   figures.smallest = found.smallest;
   figures.unjudged = found.unjudged;
   if (found.verdict == StabilityScreen::Verdict::unstable) {

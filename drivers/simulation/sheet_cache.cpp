@@ -64,7 +64,7 @@ std::string bytes_of(const Path& path, double end) {
 }  // namespace
 
 SheetCache::SheetCache(const Scene& scene, const Material& material, const Path& path, double end)
-    : material_(material), path_(path), asked_until_(std::min(end, period_of(scene.motion))) {
+    : material_(material), path_(path), asked_until_(std::min(end, scene.motion->period())) {
   const std::string folder = folder_of_sheets(), library = adapters::file_of(&material.table());
   if (folder.empty() || library.empty()) return;
   is_our_own_ = library == adapters::own_file;

@@ -10,12 +10,11 @@
 #include <fstream>
 
 #include "adapters/worker/remote_table.hpp"
-#include "drivers/simulation/growth.hpp"
 #include "drivers/simulation/health.hpp"
 #include "drivers/simulation/stress_offload.hpp"
 #include "drivers/simulation/time_steps.hpp"
 #include "drivers/system/interrupt.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "mpm/simulation.hpp"
 
 namespace assay::drivers {

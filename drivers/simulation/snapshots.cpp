@@ -8,7 +8,8 @@
 #include <optional>
 
 #include "drivers/scene/body_box.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/simulation/response_source.hpp"
+#include "drivers/text/numbers.hpp"
 #include "mpm/seeding/gauss_lattice.hpp"
 
 namespace assay::drivers {
@@ -101,45 +102,40 @@ Box picture_box(const Problem& problem) {
 
 }  // namespace
 
-void LastGood::keep(const mpm::State<2>& s, double t) {
-  t_ = t;
-  particles_ = s.particles;
-  values_.clear();  // keeps its memory
+void Snapshots::keep_good(const mpm::State<2>& s, double t) {
+  good_t_ = t;
+  good_particles_ = s.particles;
+  good_.clear();  // keeps its memory
   for (const Shown& part : shown) {
     const double* from = s.column(part.column);
-    values_.insert(values_.end(), from, from + static_cast<std::size_t>(part.components) * particles_);
+    good_.insert(good_.end(), from, from + static_cast<std::size_t>(part.components) * s.particles);
   }
-}
-
-const double* LastGood::column(Column which, int component) const {
-  std::size_t before = 0;
-  for (const Shown& part : shown) {
-    if (part.column == which) break;
-    before += static_cast<std::size_t>(part.components);
-  }
-  return values_.data() + (before + static_cast<std::size_t>(component)) * particles_;
-}
-
-std::string LastGood::vtu(const Problem& problem, const ExactSolutionPtr& exact) const {
-  const auto of = [this](Column which, int component) { return column(which, component); };
-  if (!exact || particles_ == 0) return particles_vtu(of, particles_, {}, t_);
-  const auto X = [&](int d) { return std::span(of(Column::reference_position, d), particles_); };
-  const auto field = as_seen(problem.scene, exact)->instant({X(0), X(1)}, {.motion = true});
-  field->set_time(t_);
-  std::vector<double> error(particles_), measure(particles_);
-  for (std::size_t p = 0; p < particles_; ++p) {
-    const std::array<double, 2> x = field->state(p).x;
-    error[p] = std::hypot(of(Column::position, 0)[p] - x[0], of(Column::position, 1)[p] - x[1]);
-    std::array<double, 4> F{};
-    for (int c = 0; c < 4; ++c) F[static_cast<std::size_t>(c)] = of(Column::deformation_gradient, c)[p];
-    measure[p] = field->measure(p, F);
-  }
-  return particles_vtu(of, particles_, compared_arrays(problem, error, measure), t_);
 }
 
 std::string Snapshots::leave_last_good(const ExactSolutionPtr& exact) const {
+  const std::size_t n = good_particles_;
+  const auto of = [&](Column which, int component) {
+    auto before = static_cast<std::size_t>(component);
+    for (const Shown* part = shown; part->column != which; ++part) before += static_cast<std::size_t>(part->components);
+    return good_.data() + before * n;
+  };
+  std::vector<double> error(n), measure(n);
+  std::vector<VtuArray> compared;
+  if (exact && n > 0) {
+    const auto X = [&](int d) { return std::span(of(Column::reference_position, d), n); };
+    const auto field = as_seen(problem_->scene, exact)->instant({X(0), X(1)}, {.motion = true});
+    field->set_time(good_t_);
+    for (std::size_t p = 0; p < n; ++p) {
+      const std::array<double, 2> x = field->state(p).x;
+      error[p] = std::hypot(of(Column::position, 0)[p] - x[0], of(Column::position, 1)[p] - x[1]);
+      std::array<double, 4> F{};
+      for (int c = 0; c < 4; ++c) F[static_cast<std::size_t>(c)] = of(Column::deformation_gradient, c)[p];
+      measure[p] = field->measure(p, F);
+    }
+    compared = compared_arrays(*problem_, error, measure);
+  }
   std::string name = "last_good.vtu";
-  folder_->write(name, last_good_.vtu(*problem_, exact));
+  folder_->write(name, particles_vtu(of, n, compared, good_t_));
   return name;
 }
 
@@ -173,17 +169,14 @@ ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
     std::array<double, 4> H{seeds.half_size[0], 0, 0, seeds.half_size[1]};
     if (!seeds.half_edges.empty()) H = seeds.half_edges[p];
     if (gauss) {  // the part of its cell that its weight stands for is not around it
-      const std::array<double, 2> X{s.column(Column::reference_position, 0)[p],
-                                    s.column(Column::reference_position, 1)[p]};
+      const std::array<double, 2> X = s.at<2>(Column::reference_position, p);
       const Rectangle r = gauss->rectangle_around(X);
       H = {0.5 * (r.upper[0] - r.lower[0]), 0, 0, 0.5 * (r.upper[1] - r.lower[1])};
       frame.x[p] += 0.5 * (r.lower[0] + r.upper[0]) - X[0];
       frame.y[p] += 0.5 * (r.lower[1] + r.upper[1]) - X[1];
     }
     std::array<double, 4> F{1, 0, 0, 1};
-    for (int c = 0; convects && c < 4; ++c) {
-      F[static_cast<std::size_t>(c)] = s.column(Column::deformation_gradient, c)[p];
-    }
+    if (convects) F = s.at<4>(Column::deformation_gradient, p);
     frame.r1x[p] = F[0] * H[0] + F[1] * H[2];
     frame.r2x[p] = F[0] * H[1] + F[1] * H[3];
     frame.r1y[p] = F[2] * H[0] + F[3] * H[2];

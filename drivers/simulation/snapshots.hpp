@@ -8,27 +8,10 @@
 
 #include "drivers/output/output_folder.hpp"
 #include "drivers/output/vtu.hpp"
-#include "drivers/picture/particle_picture.hpp"
+#include "drivers/picture/value_pictures.hpp"
 #include "drivers/simulation/error_sampler.hpp"
 
 namespace assay::drivers {
-
-/// What a snapshot shows of the particles, taken now and then while a run goes well.
-class LastGood {
- public:
-  void keep(const mpm::State<2>& state, double t);
-  bool empty() const { return particles_ == 0; }
-  double t() const { return t_; }
-  /// As a VTU file, with the error where there is an exact solution; may be null.
-  std::string vtu(const Problem& problem, const ExactSolutionPtr& exact) const;
-
- private:
-  const double* column(mpm::Column which, int component) const;
-
-  double t_ = 0;
-  std::size_t particles_ = 0;
-  std::vector<double> values_;  ///< of the columns that a snapshot shows, one after the other
-};
 
 class Snapshots {
  public:
@@ -42,8 +25,8 @@ class Snapshots {
   void remember(const mpm::State<2>& state, const ErrorSampler& sampler, double t);
 
   /// Keeps what a snapshot shows of a state that is well, in place of the one before.
-  void keep_good(const mpm::State<2>& state, double t) { last_good_.keep(state, t); }
-  /// Writes it, with what `add` writes of it. Returns the name of the file.
+  void keep_good(const mpm::State<2>& state, double t);
+  /// Writes it, with what `add` writes of it; `exact` may be null. Returns the name of the file.
   std::string leave_last_good(const ExactSolutionPtr& exact) const;
 
   /// particles.pvd, and the pictures of the frames kept: name and caption of each written PNG.
@@ -59,7 +42,9 @@ class Snapshots {
   const Problem* problem_;
   OutputFolder* folder_;
   std::vector<PvdEntry> entries_;
-  LastGood last_good_;
+  double good_t_ = 0;
+  std::size_t good_particles_ = 0;
+  std::vector<double> good_;  ///< of the columns that a snapshot shows, one after the other
   struct Frame {
     double t = 0;
     ParticleFrame shape;

@@ -5,10 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <system_error>
 
 #include "adapters/process/shortage.hpp"
 #include "adapters/worker/remote_table.hpp"
+#include "adapters/worker/worker_process.hpp"
+#include "drivers/material/registry.hpp"
 #include "drivers/system/input_error.hpp"
 #include "mpm/compose.hpp"
 
@@ -25,6 +28,52 @@ std::size_t doubles_of(const mpm::Setup<2>& setup) {
     if (mpm::info(use.column).of_stress) bytes += use.bytes;
   }
   return bytes / sizeof(double) * setup.seeds.size() + 8 * alignment;
+}
+
+/// What a run and one of its workers hand each other every step, in the memory for the arrays of a call.
+struct StressPage {
+  // once
+  mpm::StressColumns<2> columns;  ///< where they lie for the run
+  const double* base;             ///< and where the memory that both share begins there
+  // every step
+  double t, dt;
+  std::size_t begin, end;  ///< particles
+  // the answer
+  std::size_t block;  ///< begin of the block that is, or was last, worked on
+  enum class Found : std::uint32_t { nothing, inverted, refused } found;
+  std::size_t particle;
+  char message[ASSAY_MESSAGE_SIZE];
+  alignas(64) double scratch[mpm::BlockScratch<2>::doubles];  ///< F0, F1 and stress of that block
+};
+
+/// Once, too: in declared order, in the same memory.
+double* parameters_behind(StressPage& page) { return reinterpret_cast<double*>(&page + 1); }
+
+// The worker's side.
+
+mpm::StressColumns<2> columns_in(const StressPage& page, double* base) {
+  mpm::StressColumns<2> columns = page.columns;
+  const auto move = [&](double*& column) {
+    if (column) column = base + (column - page.base);
+  };
+  for (auto* list : {&columns.deformation_gradient, &columns.velocity_gradient}) std::ranges::for_each(*list, move);
+  std::ranges::for_each(columns.stress, move);
+  std::ranges::for_each(columns.history, move);
+  move(columns.volume_scale), move(columns.volume_scale_before);
+  return columns;
+}
+
+void step(StressPage& page, const mpm::StressColumns<2>& columns, const Material& material,
+          mpm::BlockScratch<2>& scratch) {
+  for (page.block = page.begin; page.block < page.end; page.block += mpm::block_size) {
+    const std::size_t end = std::min(page.end, page.block + mpm::block_size);
+    const mpm::BlockOutcome outcome = mpm::update_block(columns, material, page.block, end, {page.t, page.dt}, scratch);
+    if (!outcome.inverted && !outcome.refused) continue;
+    page.found = outcome.inverted ? StressPage::Found::inverted : StressPage::Found::refused;
+    page.particle = outcome.inverted ? *outcome.inverted : *outcome.refused;
+    page.message[outcome.message.copy(page.message, ASSAY_MESSAGE_SIZE - 1)] = '\0';
+    return;
+  }
 }
 
 }  // namespace
@@ -143,6 +192,28 @@ double StressOffload::hand_over_s() const {
   double largest = 0;
   for (const auto& worker : workers_) largest = std::max(largest, worker->waited_s - worker->busy_s);
   return largest;
+}
+
+void serve_stress(adapters::WorkerFloor& floor, const std::string& task) {
+  const adapters::SharedMemory memory = adapters::SharedMemory::of_file(adapters::columns_file);
+  auto& page = *reinterpret_cast<StressPage*>(floor.arrays);
+  adapters::next_request(floor.control);
+  const adapters::WatchedProcess watched(floor.control);
+  const assay_material* table = table_of_task(task);
+  std::map<std::string, double> parameters;
+  for (std::uint32_t k = 0; k < table->parameter_count; ++k)
+    parameters[table->parameters[k].name] = parameters_behind(page)[k];
+  const Material material(table, parameters);
+  const mpm::StressColumns<2> columns = columns_in(page, static_cast<double*>(memory.data()));
+  mpm::BlockScratch<2> scratch(page.scratch);
+  for (;;) {
+    adapters::next_request(floor.control);
+    {
+      const adapters::ForeignCall marks(floor.control);
+      step(page, columns, material, scratch);
+    }
+    adapters::answer(floor.control);
+  }
 }
 
 }  // namespace assay::drivers

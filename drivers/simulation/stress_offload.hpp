@@ -41,25 +41,6 @@ class StressOffload {
   std::vector<std::unique_ptr<Worker>> workers_;
 };
 
-/// What a run and one of its workers hand each other every step, in the memory for the arrays of a call.
-struct StressPage {
-  // once
-  mpm::StressColumns<2> columns;  ///< where they lie for the run
-  const double* base;             ///< and where the memory that both share begins there
-  // every step
-  double t, dt;
-  std::size_t begin, end;  ///< particles
-  // the answer
-  std::size_t block;  ///< begin of the block that is, or was last, worked on
-  enum class Found : std::uint32_t { nothing, inverted, refused } found;
-  std::size_t particle;
-  char message[ASSAY_MESSAGE_SIZE];
-  alignas(64) double scratch[mpm::BlockScratch<2>::doubles];  ///< F0, F1 and stress of that block
-};
-
-/// Once, too: in declared order, in the same memory.
-inline double* parameters_behind(StressPage& page) { return reinterpret_cast<double*>(&page + 1); }
-
 /// Tasks of workers that begin with this word serve one thread of a run.
 inline constexpr const char* stress_task = "stress";
 

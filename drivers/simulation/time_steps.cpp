@@ -9,8 +9,8 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene.hpp"
-#include "drivers/simulation/scene_limits.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/simulation/problem.hpp"
+#include "drivers/text/numbers.hpp"
 #include "harness/stability/wave_speed.hpp"
 
 namespace assay::drivers {
@@ -34,7 +34,7 @@ std::vector<Vector3> places_of(const Scene& scene) {
     return places;
   }
   const Box box = body_box(scene);
-  const int pieces = is_homogeneous(scene.motion) ? 1 : across;
+  const int pieces = scene.motion->is_homogeneous() ? 1 : across;
   for (int i = 0; i <= pieces; ++i) {
     for (int j = 0; j <= pieces; ++j) {
       places.emplace_back(box.lower[0] + (box.upper[0] - box.lower[0]) * i / pieces,
@@ -69,16 +69,21 @@ double fastest_of(const InitialVelocity& v, const Box& box) {
   return fastest;
 }
 
+/// The largest of what is asked of the exact motion's states, all over the body until the end; at least 0.
+template <class Of>
+double largest_of_motion(const Scene& scene, const Of& of) {
+  double largest = 0;
+  for (const Vector3& X : places_of(scene)) {
+    for (int k = 0; k <= speed_samples; ++k)
+      largest = std::max(largest, of(scene.motion->at(X, scene.time.end * k / speed_samples)));
+  }
+  return largest;
+}
+
 double fastest_of_motion(const Scene& scene) {
   if (scene.body.initial_velocity) return fastest_of(*scene.body.initial_velocity, body_box(scene));
   if (is_vortex(scene.motion)) return fastest_of_vortex(*scene.motion->polar(), scene.time.end);
-  double fastest = 0;
-  for (const Vector3& X : places_of(scene)) {
-    for (int k = 0; k <= speed_samples; ++k) {
-      fastest = std::max(fastest, state_at(scene.motion, X, scene.time.end * k / speed_samples).v.norm());
-    }
-  }
-  return fastest;
+  return largest_of_motion(scene, [](const ExactState& state) { return state.v.norm(); });
 }
 
 /// What a frame adds to it: its spin at the farthest particle, and its velocity.
@@ -126,14 +131,7 @@ std::string key_of_steps(const Problem& problem) {
 
 double fastest_shrinking(const Scene& scene) {
   if (const auto& v = scene.body.initial_velocity) return std::max(0.0, -(v->stretching[0] + v->stretching[1]));
-  double fastest = 0;
-  for (const Vector3& X : places_of(scene)) {
-    for (int k = 0; k <= speed_samples; ++k) {
-      const ExactState state = state_at(scene.motion, X, scene.time.end * k / speed_samples);
-      fastest = std::max(fastest, -(state.F_rate * state.F.inverse()).trace());
-    }
-  }
-  return fastest;
+  return largest_of_motion(scene, [](const ExactState& state) { return -(state.F_rate * state.F.inverse()).trace(); });
 }
 
 double viscous_shortening(const Problem& problem, double wave, double shrinking) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/traction_table.hpp"
-
+// The algorithms of tractions side by side.
 #include <chrono>
 #include <cmath>
 
@@ -9,7 +8,8 @@
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/progress.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
+#include "drivers/text/words.hpp"
 #include "harness/motion/kinds/homogeneous.hpp"
 
 namespace assay::drivers {
@@ -18,16 +18,9 @@ namespace {
 
 using mpm::TractionAlgorithm;
 
-struct NamedAlgorithm {
-  TractionAlgorithm algorithm;
-  const char* name;
-};
-
 /// From the one that fails to the one that is told most.
-constexpr NamedAlgorithm compared_algorithms[] = {{TractionAlgorithm::undeformed_edges, "undeformed_edges"},
-                                                  {TractionAlgorithm::particles, "particles"},
-                                                  {TractionAlgorithm::edges, "edges"},
-                                                  {TractionAlgorithm::virtual_stress, "virtual_stress"}};
+constexpr TractionAlgorithm compared_algorithms[] = {TractionAlgorithm::undeformed_edges, TractionAlgorithm::particles,
+                                                     TractionAlgorithm::edges, TractionAlgorithm::virtual_stress};
 
 /// Whether the body consists of whole cells of a grid of this spacing; a ring's faces cut those of any.
 bool divides_body(const Scene& scene, double spacing) {
@@ -71,7 +64,7 @@ void take_figures(const Result& result, TractionRun& run) {
 void name_form(const Problem& problem, TractionRun& run) {
   const auto& traction = problem.setup.traction;
   if (!traction || traction->algorithm == TractionAlgorithm::undeformed_edges) return;
-  run.form = traction->form == mpm::TractionForm::follower ? "follower" : "reference";
+  run.form = word_of(traction->form);
 }
 
 /// What a scene's variant finds. One that cannot be run, as it would exceed the limits, is refused alone.
@@ -112,9 +105,9 @@ TractionTable traction_table(const Problem& problem, const Result& own, OutputFo
   const Box body = body_box(scene);
   TractionTable table;
   table.of_paper = is_table_1(problem);
-  for (const auto& [algorithm, name] : compared_algorithms) {
+  for (const TractionAlgorithm algorithm : compared_algorithms) {
     for (const double spacing : spacings_of(scene)) {
-      TractionRun run{name, {}, spacing, {}, {}, {}, {}, {}};
+      TractionRun run{word_of(algorithm), {}, spacing, {}, {}, {}, {}, {}};
       for (std::size_t d = 0; d < 2; ++d) run.cells[d] = (body.upper[d] - body.lower[d]) / spacing;
       run.exact = algorithm == TractionAlgorithm::virtual_stress || scene.force.inertia == mpm::Inertia::particles;
       run.own = algorithm == scene.traction.algorithm;

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What whoever runs a scene has to be told of before it runs.
+// What whoever runs a scene has to be told of, before it runs and after.
 #pragma once
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "drivers/result/result.hpp"
 #include "drivers/simulation/problem.hpp"
+#include "harness/exact/response.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 namespace assay::drivers {
 
@@ -46,5 +50,39 @@ std::string advice_after_large_error(const Problem& problem, double relative);
 
 /// Lengths of the body along the axes [m]; zeros without particles.
 std::array<double, 2> sides_of_body(const Problem& problem);
+
+// The stability screen of a scene's motion: its figures, and what a verb says of them.
+
+/// Over 0 .. end [s], at most four periods. A terminal sees how far it is, unless `quiet`. Throws MaterialFailure.
+ScreenFigures screen_of(const Scene& scene, const Material& material, double end, bool quiet);
+
+/// Why the motion is no stable solution, one sentence; empty where it is one.
+std::string instability_sentence(const ScreenFigures& screen, const std::string& material);
+
+/// The same where the scene does not allow it: why a run is refused.
+std::string refusal_sentence(const Scene& scene, const ScreenFigures& screen, const std::string& material);
+
+/// "stable, ...", for explain and for people, one line without its end.
+std::string screen_sentence(const ScreenFigures& screen);
+
+/// One line on standard error where the motion is unstable and the scene does not allow that. Never stops a verb: a
+/// material that fails on the way is found by what follows. Throws Interrupted when a signal came.
+void warn_of_instability(const Scene& scene, const Material& material, double end, bool quiet);
+
+// The plastic rim of a vortex: how many grid cells the narrowest zone has in which a material with kinks has left its
+// first regime.
+
+constexpr double fewest_rim_cells = 2;
+
+/// Rings of the vortex in which xi(R) lies beyond the fronts next to xi = 0: [r, R] [m], ascending. Fronts further out
+/// do not cut them: a sheet has one wherever histories of other times part. fronts: values of xi other than 0.
+std::vector<Interval> zones_beyond(const Vortex& vortex, std::span<const double> fronts);
+
+/// The narrowest zone at the time of the largest |g| in 0 .. end, for a grid of spacing h [m]. Absent without a sheet,
+/// without kinks, and where no zone has left the first regime.
+std::optional<RimFigures> rim_of(const Response& response, const Vortex& vortex, double h, double end);
+
+/// "the plastic rim is .. m wide, .. cells: .."; empty where it has fewest_rim_cells or more.
+std::string narrow_rim_sentence(const RimFigures& rim);
 
 }  // namespace assay::drivers

@@ -5,7 +5,7 @@
 
 #include "drivers/system/interrupt.hpp"
 #include "drivers/tabulation/tabulation.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 

@@ -7,7 +7,7 @@
 #include "drivers/format/csv.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/interrupt.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 #include "harness/history/point_driver.hpp"
 #include "harness/material/offer.hpp"

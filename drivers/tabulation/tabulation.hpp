@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "drivers/output/points_csv.hpp"
-#include "drivers/picture/heat_map.hpp"
 #include "drivers/picture/line_plot.hpp"
+#include "drivers/picture/value_pictures.hpp"
 #include "drivers/result/result.hpp"
 #include "harness/exact/response.hpp"
 

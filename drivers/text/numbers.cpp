@@ -4,8 +4,6 @@
 #include <charconv>
 #include <limits>
 
-#include "drivers/text/number_format.hpp"
-
 namespace assay::drivers {
 
 namespace {

@@ -20,4 +20,14 @@ std::optional<std::int64_t> parse_integer(std::string_view text);
 
 using assay::number_text;
 
+// For people.
+
+using assay::rounded_text;
+
+/// A text that is one number, at that many digits; any other text as it is.
+std::string shortened(const std::string& text, int significant);
+
+/// 12345678 as "12,345,678".
+std::string grouped_text(std::int64_t value);
+
 }  // namespace assay::drivers

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
+#include <span>
 
 namespace assay::drivers {
 
@@ -17,55 +18,48 @@ struct Named {
   const char* name;
 };
 
-constexpr std::array blanks{
-    Named{0x00A0, 0x00A0, "no-break space"},     Named{0x2000, 0x2001, "quad"},
-    Named{0x2002, 0x2002, "en space"},           Named{0x2003, 0x2003, "em space"},
-    Named{0x2004, 0x2006, "part of em space"},   Named{0x2007, 0x2007, "figure space"},
-    Named{0x2008, 0x2008, "punctuation space"},  Named{0x2009, 0x2009, "thin space"},
-    Named{0x200A, 0x200A, "hair space"},         Named{0x202F, 0x202F, "narrow no-break space"},
-    Named{0x205F, 0x205F, "mathematical space"}, Named{0x3000, 0x3000, "ideographic space"},
-    Named{0x1680, 0x1680, "ogham space"},        Named{0x2800, 0x2800, "blank of braille"},
-};
+constexpr Named blanks[] = {{0x00A0, 0x00A0, "no-break space"},     {0x2000, 0x2001, "quad"},
+                            {0x2002, 0x2002, "en space"},           {0x2003, 0x2003, "em space"},
+                            {0x2004, 0x2006, "part of em space"},   {0x2007, 0x2007, "figure space"},
+                            {0x2008, 0x2008, "punctuation space"},  {0x2009, 0x2009, "thin space"},
+                            {0x200A, 0x200A, "hair space"},         {0x202F, 0x202F, "narrow no-break space"},
+                            {0x205F, 0x205F, "mathematical space"}, {0x3000, 0x3000, "ideographic space"},
+                            {0x1680, 0x1680, "ogham space"},        {0x2800, 0x2800, "blank of braille"}};
 
-constexpr std::array without_width{
-    Named{0x00AD, 0x00AD, "soft hyphen"},
-    Named{0x034F, 0x034F, "grapheme joiner"},
-    Named{0x115F, 0x1160, "Hangul filler"},
-    Named{0x17B4, 0x17B5, "inherent vowel"},
-    Named{0x180E, 0x180E, "vowel separator"},
-    Named{0x200B, 0x200B, "zero width space"},
-    Named{0x200C, 0x200C, "zero width non-joiner"},
-    Named{0x200D, 0x200D, "zero width joiner"},
-    Named{0x2060, 0x2060, "word joiner"},
-    Named{0x2061, 0x2064, "invisible operator"},
-    Named{0x3164, 0x3164, "Hangul filler"},
-    Named{0xFE00, 0xFE0F, "variation selector"},
-    Named{0xFEFF, 0xFEFF, "byte order mark"},
-    Named{0xFFA0, 0xFFA0, "Hangul filler"},
-    Named{0x1D173, 0x1D17A, "mark of musical notation"},
-    Named{0xFFF9, 0xFFFB, "annotation mark"},
-    Named{0xE0000, 0xE007F, "tag"},
-};
+constexpr Named without_width[] = {{0x00AD, 0x00AD, "soft hyphen"},
+                                   {0x034F, 0x034F, "grapheme joiner"},
+                                   {0x115F, 0x1160, "Hangul filler"},
+                                   {0x17B4, 0x17B5, "inherent vowel"},
+                                   {0x180E, 0x180E, "vowel separator"},
+                                   {0x200B, 0x200B, "zero width space"},
+                                   {0x200C, 0x200C, "zero width non-joiner"},
+                                   {0x200D, 0x200D, "zero width joiner"},
+                                   {0x2060, 0x2060, "word joiner"},
+                                   {0x2061, 0x2064, "invisible operator"},
+                                   {0x3164, 0x3164, "Hangul filler"},
+                                   {0xFE00, 0xFE0F, "variation selector"},
+                                   {0xFEFF, 0xFEFF, "byte order mark"},
+                                   {0xFFA0, 0xFFA0, "Hangul filler"},
+                                   {0x1D173, 0x1D17A, "mark of musical notation"},
+                                   {0xFFF9, 0xFFFB, "annotation mark"},
+                                   {0xE0000, 0xE007F, "tag"}};
 
 /// A terminal obeys them.
-constexpr std::array steering{
-    Named{0x09, 0x09, "tab"},
-    Named{0x0A, 0x0A, "line break"},
-    Named{0x0D, 0x0D, "carriage return"},
-    Named{0x1B, 0x1B, "escape"},
-    Named{0x00, 0x1F, "control character"},
-    Named{0x7F, 0x9F, "control character"},
-    Named{0x061C, 0x061C, "Arabic letter mark"},
-    Named{0x200E, 0x200E, "left-to-right mark"},
-    Named{0x200F, 0x200F, "right-to-left mark"},
-    Named{0x2028, 0x2028, "line separator"},
-    Named{0x2029, 0x2029, "paragraph separator"},
-    Named{0x202A, 0x202E, "mark of the direction of writing"},
-    Named{0x2066, 0x2069, "mark of the direction of writing"},
-};
+constexpr Named steering[] = {{0x09, 0x09, "tab"},
+                              {0x0A, 0x0A, "line break"},
+                              {0x0D, 0x0D, "carriage return"},
+                              {0x1B, 0x1B, "escape"},
+                              {0x00, 0x1F, "control character"},
+                              {0x7F, 0x9F, "control character"},
+                              {0x061C, 0x061C, "Arabic letter mark"},
+                              {0x200E, 0x200E, "left-to-right mark"},
+                              {0x200F, 0x200F, "right-to-left mark"},
+                              {0x2028, 0x2028, "line separator"},
+                              {0x2029, 0x2029, "paragraph separator"},
+                              {0x202A, 0x202E, "mark of the direction of writing"},
+                              {0x2066, 0x2069, "mark of the direction of writing"}};
 
-template <class List>
-const char* name_in(const List& list, std::uint32_t code) {
+const char* name_in(std::span<const Named> list, std::uint32_t code) {
   const auto found =
       std::find_if(list.begin(), list.end(), [&](const Named& n) { return n.first <= code && code <= n.last; });
   return found == list.end() ? nullptr : found->name;
@@ -75,20 +69,24 @@ bool is_unseen(std::uint32_t code) {
   return name_in(steering, code) || name_in(blanks, code) || name_in(without_width, code);
 }
 
-template <class IsWritten>
-std::string written(std::string_view text, bool breaks, const IsWritten& is_written) {
+/// The text with what `instead` gives in the place of a character, unless that is empty; a question mark for a byte
+/// that is no UTF-8.
+template <class Instead>
+std::string replaced(std::string_view text, const Instead& instead) {
   std::string out;
   for_each_character(text, [&](std::uint32_t code, std::string_view bytes) {
-    if (code == no_character)
-      out += '?';
-    else if (!breaks && (code == '\t' || code == '\n' || code == '\r'))
-      out += ' ';
-    else if (is_written(code))
-      out += "<" + number_of(code) + ">";
-    else
-      out += bytes;
+    const std::string other = code == no_character ? "?" : instead(code);
+    out += other.empty() ? bytes : other;
   });
   return out;
+}
+
+template <class IsWritten>
+std::string written(std::string_view text, bool breaks, const IsWritten& is_written) {
+  return replaced(text, [&](std::uint32_t code) -> std::string {
+    if (!breaks && (code == '\t' || code == '\n' || code == '\r')) return " ";
+    return is_written(code) ? "<" + number_of(code) + ">" : "";
+  });
 }
 
 std::string note_of(std::uint32_t code) {
@@ -100,33 +98,29 @@ std::string note_of(std::uint32_t code) {
          ", which cannot be seen: " + (blank ? "write a blank in its place" : "delete it");
 }
 
-struct Lookalike {
-  std::uint32_t code;
+/// Marks that are meant, and the characters that are easily taken for them.
+struct Lookalikes {
   const char* meant;
+  std::u32string_view codes;
 };
 
-constexpr std::array lookalikes{
-    Lookalike{0x00AB, "\""}, Lookalike{0x00B7, "."},  Lookalike{0x00BB, "\""}, Lookalike{0x00D7, "*"},
-    Lookalike{0x0130, "I"},  Lookalike{0x0131, "i"},  Lookalike{0x0391, "A"},  Lookalike{0x0392, "B"},
-    Lookalike{0x0395, "E"},  Lookalike{0x0396, "Z"},  Lookalike{0x0397, "H"},  Lookalike{0x0399, "I"},
-    Lookalike{0x039A, "K"},  Lookalike{0x039C, "M"},  Lookalike{0x039D, "N"},  Lookalike{0x039F, "O"},
-    Lookalike{0x03A1, "P"},  Lookalike{0x03A4, "T"},  Lookalike{0x03A5, "Y"},  Lookalike{0x03A7, "X"},
-    Lookalike{0x03B9, "i"},  Lookalike{0x03BD, "v"},  Lookalike{0x03BF, "o"},  Lookalike{0x03C1, "p"},
-    Lookalike{0x0405, "S"},  Lookalike{0x0406, "I"},  Lookalike{0x0408, "J"},  Lookalike{0x0410, "A"},
-    Lookalike{0x0412, "B"},  Lookalike{0x0415, "E"},  Lookalike{0x041A, "K"},  Lookalike{0x041C, "M"},
-    Lookalike{0x041D, "H"},  Lookalike{0x041E, "O"},  Lookalike{0x0420, "P"},  Lookalike{0x0421, "C"},
-    Lookalike{0x0422, "T"},  Lookalike{0x0423, "Y"},  Lookalike{0x0425, "X"},  Lookalike{0x0430, "a"},
-    Lookalike{0x0435, "e"},  Lookalike{0x043E, "o"},  Lookalike{0x0440, "p"},  Lookalike{0x0441, "c"},
-    Lookalike{0x0443, "y"},  Lookalike{0x0445, "x"},  Lookalike{0x0455, "s"},  Lookalike{0x0456, "i"},
-    Lookalike{0x0458, "j"},  Lookalike{0x04BB, "h"},  Lookalike{0x0501, "d"},  Lookalike{0x051B, "q"},
-    Lookalike{0x051D, "w"},  Lookalike{0x060C, ","},  Lookalike{0x066B, "."},  Lookalike{0x2010, "-"},
-    Lookalike{0x2011, "-"},  Lookalike{0x2012, "-"},  Lookalike{0x2013, "-"},  Lookalike{0x2014, "-"},
-    Lookalike{0x2015, "-"},  Lookalike{0x2018, "'"},  Lookalike{0x2019, "'"},  Lookalike{0x201A, "'"},
-    Lookalike{0x201C, "\""}, Lookalike{0x201D, "\""}, Lookalike{0x201E, "\""}, Lookalike{0x2026, "..."},
-    Lookalike{0x2032, "'"},  Lookalike{0x2033, "\""}, Lookalike{0x2044, "/"},  Lookalike{0x2212, "-"},
-    Lookalike{0x2215, "/"},  Lookalike{0x2217, "*"},  Lookalike{0x2236, ":"},  Lookalike{0x223C, "~"},
-    Lookalike{0x22C5, "."},  Lookalike{0x3001, ","},  Lookalike{0x3002, "."},  Lookalike{0xA789, ":"},
-    Lookalike{0xFE58, "-"},  Lookalike{0xFE63, "-"}};
+constexpr Lookalikes lookalikes[] = {{"\"", U"\u00ab\u00bb\u201c\u201d\u201e\u2033"},
+                                     {".", U"\u00b7\u066b\u22c5\u3002"},
+                                     {"*", U"\u00d7\u2217"},
+                                     {",", U"\u060c\u3001"},
+                                     {"-", U"\u2010\u2011\u2012\u2013\u2014\u2015\u2212\ufe58\ufe63"},
+                                     {"'", U"\u2018\u2019\u201a\u2032"},
+                                     {"...", U"\u2026"},
+                                     {"/", U"\u2044\u2215"},
+                                     {":", U"\u2236\ua789"},
+                                     {"~", U"\u223c"}};
+
+/// Letters of other scripts, each before the one that is meant.
+constexpr std::u32string_view foreign_letters =
+    U"\u0130I\u0399I\u0406I\u0131i\u03b9i\u0456i\u0391A\u0410A\u0392B\u0412B\u0395E\u0415E\u0396Z\u0397H"
+    U"\u041dH\u039aK\u041aK\u039cM\u041cM\u039dN\u039fO\u041eO\u03a1P\u0420P\u03a4T\u0422T\u03a5Y\u0423Y"
+    U"\u03a7X\u0425X\u03bdv\u03bfo\u043eo\u03c1p\u0440p\u0405S\u0408J\u0421C\u0430a\u0435e\u0441c\u0443y"
+    U"\u0445x\u0455s\u0458j\u04bbh\u0501d\u051bq\u051dw";
 
 /// The zeros of other scripts, and of subscripts.
 constexpr std::array<std::uint32_t, 19> zeros{0x0660, 0x06F0, 0x07C0, 0x0966, 0x09E6, 0x0A66, 0x0AE6,
@@ -145,8 +139,11 @@ std::string meant_by(std::uint32_t code) {
   const auto after = [](char first, std::uint32_t steps) {
     return std::string(1, static_cast<char>(first + static_cast<char>(steps)));
   };
-  for (const Lookalike& each : lookalikes) {
-    if (each.code == code) return each.meant;
+  for (const auto& [meant, codes] : lookalikes) {
+    if (codes.find(code) != codes.npos) return meant;
+  }
+  for (std::size_t k = 0; k < foreign_letters.size(); k += 2) {
+    if (foreign_letters[k] == code) return std::string(1, static_cast<char>(foreign_letters[k + 1]));
   }
   for (const std::uint32_t zero : zeros) {
     if (zero <= code && code < zero + 10) return after('0', code - zero);
@@ -205,26 +202,16 @@ std::string printable(std::string_view text) {
 }
 
 std::string utf8(std::string_view text) {
-  std::string out;
-  for_each_character(
-      text, [&](std::uint32_t code, std::string_view bytes) { code == no_character ? out += '?' : out += bytes; });
-  return out;
+  return replaced(text, [](std::uint32_t) { return std::string(); });
 }
 
 std::string with_unseen_written(std::string_view text) { return written(text, false, is_unseen); }
 
 std::string without_commands(std::string_view lines, const std::string& open, const std::string& close) {
-  std::string out;
-  for_each_character(lines, [&](std::uint32_t code, std::string_view bytes) {
+  return replaced(lines, [&](std::uint32_t code) -> std::string {
     const bool layout = code == '\n' || code == '\t';
-    if (code == no_character)
-      out += '?';
-    else if (!layout && name_in(steering, code))
-      out += open + number_of(code).substr(2) + close;
-    else
-      out += bytes;
+    return !layout && name_in(steering, code) ? open + number_of(code).substr(2) + close : "";
   });
-  return out;
 }
 
 std::string shown(std::string_view text, std::size_t limit) { return written(cut(text, limit), true, is_unseen); }

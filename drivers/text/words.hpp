@@ -64,6 +64,18 @@ std::vector<std::string> words_of() {
   return {names.begin(), names.end()};
 }
 
+/// The name of one of its values.
+template <class Enum>
+std::string word_of(Enum value) {
+  return names_of(value)[static_cast<std::size_t>(value)];
+}
+
+/// "virtual_stress" as "virtual stress".
+inline std::string in_plain_words(std::string text) {
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
 /// Behind what is there already.
 template <class T>
 void append_all(std::vector<T>& all, const std::vector<T>& more) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/text/wrapped_text.hpp"
 
-#include <algorithm>
-
 namespace assay::drivers {
 
 std::string wrapped(const std::string& text, const std::string& first, const std::string& rest, std::size_t width) {

@@ -4,7 +4,7 @@
 
 #include "drivers/command_line/verb.hpp"
 #include "drivers/output/pages.hpp"
-#include "drivers/study/pages/answers.hpp"
+#include "drivers/study/pages/study_pages.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 

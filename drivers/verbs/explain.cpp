@@ -10,7 +10,6 @@
 #include "drivers/findings/findings.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/response_source.hpp"
-#include "drivers/simulation/screening.hpp"
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/system/terminal.hpp"
 

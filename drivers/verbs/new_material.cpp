@@ -14,7 +14,7 @@
 #include "drivers/command_line/verb.hpp"
 #include "drivers/material/tool_process.hpp"
 #include "drivers/output/output_folder.hpp"
-#include "drivers/result/build_information.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/terminal.hpp"

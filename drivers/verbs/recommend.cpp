@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "drivers/command_line/verb.hpp"
-#include "drivers/study/pages/answers.hpp"
+#include "drivers/study/pages/study_pages.hpp"
 #include "drivers/system/terminal.hpp"
 
 namespace assay::drivers {

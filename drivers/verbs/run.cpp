@@ -14,10 +14,7 @@
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/response_source.hpp"
-#include "drivers/simulation/rim.hpp"
-#include "drivers/simulation/screening.hpp"
 #include "drivers/simulation/simulate.hpp"
-#include "drivers/simulation/traction_table.hpp"
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
@@ -101,7 +98,7 @@ std::string write_verdict(const Scene& scene, const Result& result, std::vector<
   const std::string resolved = resolved_yaml(scene);
   folder.write("resolved.yaml", resolved);
   if (scene.output.report)
-    folder.write("report.html", report_html(result, {period_of(scene.motion), std::move(pictures), resolved}));
+    folder.write("report.html", report_html(result, {scene.motion->period(), std::move(pictures), resolved}));
   std::string json = result_json(result);
   folder.write("result.json", json);
   return json;

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "drivers/command_line/verb.hpp"
-#include "drivers/scene/schema.hpp"
+#include "drivers/scene/scene_keys.hpp"
 #include "drivers/study/plan/study_reader.hpp"
 #include "drivers/system/terminal.hpp"
 

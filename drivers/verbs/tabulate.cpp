@@ -14,14 +14,13 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
-#include "drivers/simulation/screening.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/tabulation/tabulation.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 
@@ -95,7 +94,7 @@ int tabulate(const TabulateOptions& options) {
   tab.material = material_of(scene, library);
   tab.path = baseline_path(scene);
   tab.end = scene.time.end;
-  tab.period = period_of(scene.motion);
+  tab.period = scene.motion->period();
   if (const auto* table = scene.motion.as<DeformationTable>()) tab.last = table->last();
   cover(points, options.points, tab);
   OutputFolder folder(options.out);

@@ -41,7 +41,7 @@ PolarAverage::PolarAverage(const Motion& motion, double density, const Reference
                            std::span<const GaussPoint> rule)
     : motion_(motion),
       rule_(rule.begin(), rule.end()),
-      radii_of_xi_(radii_of_parameter(motion)),
+      radii_of_xi_(motion->polar()->radii_of_parameter()),
       places_(domains.places),
       moments_(*ring_of(motion), domains),
       nodes_(motion, moments_.nodes()) {

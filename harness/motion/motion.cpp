@@ -50,8 +50,4 @@ RingKinematics RingsInMotion::operator[](std::size_t k) const {
   return ring;
 }
 
-std::function<std::vector<double>(double)> radii_of_parameter(const Motion& motion) {
-  return motion->polar()->radii_of_parameter();
-}
-
 }  // namespace assay

@@ -46,28 +46,6 @@ class Motion {
   std::unique_ptr<MotionKind> kind_;
 };
 
-inline ExactState state_at(const Motion& motion, const Vector3& X, double t) { return motion->at(X, t); }
-
-inline Path baseline_of(const Motion& motion) { return motion->baseline(); }
-
-/// T [s]; of a table the time of its last row.
-inline double period_of(const Motion& motion) { return motion->period(); }
-
-/// Whether F is the same at all points, so that b = a and P depends on time alone.
-inline bool is_homogeneous(const Motion& motion) { return motion->is_homogeneous(); }
-
-/// Whether any point is ever accelerated.
-inline bool accelerates(const Motion& motion) { return motion->accelerates(); }
-
-/// Whether nothing happens out of the plane: F13 .. F32 = 0, F33 = 1.
-inline bool is_plane(const Motion& motion) { return motion->is_plane(); }
-
-/// The parameter of the baseline at which a motion whose F is the same everywhere runs.
-inline double own_parameter(const Motion& motion) { return motion->own_parameter(); }
-
-/// g(t) of a motion that has one, else null.
-inline const Amplitude* amplitude_of(const Motion& motion) { return motion->amplitude(); }
-
 /// Whether F depends on cos(pi X) and cos(pi Y), as in the unit box.
 inline bool is_box(const Motion& motion) { return !motion->polar() && !motion->is_homogeneous(); }
 
@@ -106,8 +84,5 @@ struct RingParameter {
   double value = 0, slope = 0, h = 0;
 };
 RingParameter ring_parameter(const Motion& motion, double R);
-
-/// The inverse of it: the radii at which the parameter has a value, ascending [m].
-std::function<std::vector<double>(double)> radii_of_parameter(const Motion& motion);
 
 }  // namespace assay

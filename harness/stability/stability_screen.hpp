@@ -2,6 +2,7 @@
 // Whether a motion is a stable solution for a model: strong ellipticity along its baseline path.
 #pragma once
 
+#include <array>
 #include <functional>
 
 #include "harness/material/material.hpp"
@@ -15,6 +16,7 @@ struct StabilityScreen {
     unstable,  ///< up to a first loss: the exact motion is not a stable solution
     neutral    ///< no resistance to some wave already at rest: a fluid; not judged any further
   };
+  friend constexpr std::array<const char*, 3> names_of(Verdict) { return {"stable", "unstable", "neutral"}; }
   Verdict verdict = Verdict::stable;
   double smallest = 0;  ///< eigenvalue over the whole path, of a neutral material at rest; over the largest at rest [1]
 

@@ -59,9 +59,9 @@ Mat<Dim> initial_velocity_gradient(const Setup<Dim>& setup, const Vector3& X) {
   if (setup.initial_velocity) return setup.initial_velocity->gradient;
   Tensor rate;
   if (setup.frame) {
-    rate = setup.frame->seen(state_at(*setup.motion, setup.frame->body_point(X), 0), 0).F_rate;
+    rate = setup.frame->seen((*setup.motion)->at(setup.frame->body_point(X), 0), 0).F_rate;
   } else {
-    rate = state_at(*setup.motion, X, 0).F_rate;
+    rate = (*setup.motion)->at(X, 0).F_rate;
   }
   Mat<Dim> gradient;  // by x, which is X
   for (int c = 0; c < Dim * Dim; ++c) gradient[static_cast<std::size_t>(c)] = rate(c / Dim, c % Dim);

@@ -91,7 +91,7 @@ double imbalance(const Method& method, const Bench& bench, const Loading& loadin
   Simulation<2> simulation(setup, bench.passes(setup));
   State<2>& s = simulation.state();
   load_body(s, loading.F);
-  const double t = period_of(setup.exact->motion());
+  const double t = setup.exact->motion()->period();
   constexpr double no_time = 1e-30;  // t and that are t: the tractions are those of F in every update
   if (simulation.step(t, no_time)) return INFINITY;
   const ExactStress stress = setup.exact->at(Vector3::Zero(), t).stress;

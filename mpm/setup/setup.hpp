@@ -89,7 +89,7 @@ struct Setup {
   /// Whether the method is told where particles belong: of such a one the error says less.
   bool uses_exact_solution() const { return (body_force && inertia == Inertia::particles) || has_virtual_stress(); }
   /// Whether b is a alone: where F is the same everywhere, and where the virtual stress leaves no more of b.
-  bool force_is_acceleration() const { return has_virtual_stress() || (motion && is_homogeneous(*motion)); }
+  bool force_is_acceleration() const { return has_virtual_stress() || (motion && (*motion)->is_homogeneous()); }
   bool averages_force() const {
     return body_force && evaluation == Evaluation::domain_average && !force_is_acceleration();
   }

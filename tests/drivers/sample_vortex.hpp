@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "drivers/picture/particle_picture.hpp"
+#include "drivers/picture/value_pictures.hpp"
 
 namespace assay::drivers {
 

@@ -4,7 +4,7 @@
 
 #include <regex>
 
-#include "drivers/result/build_information.hpp"
+#include "drivers/result/result.hpp"
 #include "tests/house/tree.hpp"
 #include "tests/support/built.hpp"
 

@@ -151,7 +151,7 @@ TEST(Simulation, FollowsTheMotionThatAFrameSees) {
     const State<2>& s = moving.state();
     const auto exact = [&](std::size_t p, double t) {
       const Vector3 X(s.column(Column::reference_position, 0)[p], s.column(Column::reference_position, 1)[p], 0);
-      return frame.seen(state_at(*seen.motion, frame.body_point(X), t), t);
+      return frame.seen((*seen.motion)->at(frame.body_point(X), t), t);
     };
     const auto vector = [&](Column column, std::size_t p) {
       return Vector3(s.column(column, 0)[p], s.column(column, 1)[p], 0);

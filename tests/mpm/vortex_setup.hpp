@@ -162,7 +162,7 @@ inline double displacement_error(const State<2>& s, double t) {
   for (std::size_t p = 0; p < s.particles; ++p) {
     const Vector3 X(s.column(Column::reference_position, 0)[p], s.column(Column::reference_position, 1)[p], 0);
     const Vector3 x(s.column(Column::position, 0)[p], s.column(Column::position, 1)[p], 0);
-    sum += (x - state_at(*s.setup.motion, X, t).x).squaredNorm();
+    sum += (x - (*s.setup.motion)->at(X, t).x).squaredNorm();
   }
   return std::sqrt(sum / static_cast<double>(s.particles));
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/analysis/analysis.hpp"
+#include "drivers/study/analysis/findings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
 
-#include "drivers/result/build_information.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/study/analysis/clock.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
 #include "harness/numeric/convergence.hpp"
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {

@@ -10,7 +10,6 @@
 
 #include "drivers/study/analysis/clock.hpp"
 #include "drivers/system/input_error.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {

@@ -4,8 +4,11 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "drivers/result/fields.hpp"
+#include "drivers/study/plan/study.hpp"
 #include "drivers/study/run/study_case.hpp"
 #include "harness/numeric/convergence.hpp"
 
@@ -23,16 +26,7 @@ struct StudySeries {
   Figure published = {};    ///< an order that others have found
   std::string source = {};  ///< and where
 
-  static void fields(auto& self, auto& archive) {
-    archive("name", self.name);
-    archive("cases", self.cases);
-    archive("pairwise", self.pairwise);
-    archive("fit", self.fit);
-    archive("asymptotic", self.asymptotic);
-    archive("sentence", self.sentence);
-    archive("published", self.published);
-    archive("source", self.source);
-  }
+  ASSAY_FIELDS(name, cases, pairwise, fit, asymptotic, sentence, published, source)
 };
 
 /// What one more digit of accuracy costs.
@@ -44,14 +38,7 @@ struct StudyDigit {
   Figure interpolated;              ///< its cost at exactly this error
   Figure factor;                    ///< interpolated cost over that of the level before
 
-  static void fields(auto& self, auto& archive) {
-    archive("error", self.error);
-    archive("best", self.best);
-    archive("cost", self.cost);
-    archive("series", self.series);
-    archive("interpolated", self.interpolated);
-    archive("factor", self.factor);
-  }
+  ASSAY_FIELDS(error, best, cost, series, interpolated, factor)
 };
 
 /// One source of a run's error, found by refining it alone.
@@ -63,15 +50,7 @@ struct BudgetLine {
   Figure share;           ///< largest change of the L2 history over time, over the run's largest error
   std::string outcome;    ///< of the refined run
 
-  static void fields(auto& self, auto& archive) {
-    archive("base", self.base);
-    archive("source", self.source);
-    archive("changed", self.changed);
-    archive("error", self.error);
-    archive("refined", self.refined);
-    archive("share", self.share);
-    archive("outcome", self.outcome);
-  }
+  ASSAY_FIELDS(base, source, changed, error, refined, share, outcome)
 };
 
 struct StudyExpectationOutcome {
@@ -161,5 +140,36 @@ std::string rest_words(const StudyFindings& findings);
 std::string cases_text(std::ptrdiff_t count);
 
 inline constexpr const char* work_key = "work.particle_steps";
+
+// From the cases of a study to its answers: orders, fronts, digits, the budget of the error, what was expected.
+
+/// `cases`: of the plan, one each in its order, as they were read. Fills in their error, cost and work, and finds all
+/// that follows from them.
+StudyFindings analysed(const Plan& plan, std::vector<StudyCase> cases);
+
+/// Indices of the eligible cases that no other beats or equals in both error and cost, by ascending cost. A case
+/// without that cost takes no part.
+std::vector<std::size_t> pareto_front(const std::vector<StudyCase>& cases, Figure StudyCase::*cost);
+
+/// The cost at exactly that error on the straight line, in logarithms, between two neighbouring resolutions of a
+/// series of eligible cases; that of its coarsest where this is better than asked. Absent where none reaches it.
+Figure cost_at(const std::vector<StudyCase>& cases, const StudySeries& series, double error);
+
+/// One line for each refined case of the plan; `cases` in the plan's order.
+std::vector<BudgetLine> budget_of(const Plan& plan, const std::vector<StudyCase>& cases);
+
+/// The largest difference between two histories (t [s], value) over the times of the first, over the largest value of
+/// the first; the second is interpolated. Absent where they share no time.
+Figure largest_change(const std::vector<std::array<double, 2>>& base, const std::vector<std::array<double, 2>>& other);
+
+/// Each line for every case of its selection, or for every series that has one there. A selection without cases holds
+/// nothing.
+std::vector<StudyExpectationOutcome> judged_of(const Study& study, const StudyFindings& findings);
+
+/// "error.l2_max": "largest L2 error of the displacement", "m"; a key that has no words stands for itself.
+std::pair<std::string, std::string> name_and_unit(const std::string& key);
+
+/// 10^k, the double nearest to it.
+double rounded_power(int k);
 
 }  // namespace assay::drivers

@@ -104,10 +104,8 @@ std::optional<NextDigit> digit_after(const StudyFindings& findings, const StudyC
 std::string Survival::completed_text() const { return std::to_string(completed) + " of " + std::to_string(asked()); }
 
 std::string method_of(const StudyCase& one) {
-  for (const AxisValue& at : one.values) {
-    if (at.axis == "method") return at.value;
-  }
-  return one.series;
+  const std::string method = value_on(one, "method");
+  return method.empty() ? one.series : method;
 }
 
 const Survival* hardiest(const std::vector<Survival>& found) {

@@ -25,6 +25,8 @@ struct Survival {
 
   std::string completed_text() const;                                    ///< "3 of 4"
   int asked() const { return completed + died + refused + unfinished; }  ///< cases that apply to it
+
+  ASSAY_FIELDS(method, completed, died, refused, unfinished, not_applicable, uses_exact_solution, error_ratio)
 };
 
 /// The best first. Throws InputError where the study has no axis `method`. By the share completed of what applies,

@@ -9,11 +9,10 @@
 
 #include "drivers/result/json_figure.hpp"
 #include "drivers/study/analysis/study_json.hpp"
-#include "drivers/study/pages/answers.hpp"
 #include "drivers/study/pages/document.hpp"
+#include "drivers/study/pages/study_pages.hpp"
 #include "drivers/system/input_error.hpp"
-#include "drivers/text/number_format.hpp"
-#include "drivers/text/table_text.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {

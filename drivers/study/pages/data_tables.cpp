@@ -4,7 +4,7 @@
 #include <set>
 
 #include "drivers/format/csv.hpp"
-#include "drivers/study/pages/stability_map.hpp"
+#include "drivers/study/pages/study_figures.hpp"
 #include "drivers/study/pages/study_sections.hpp"
 #include "drivers/study/pages/words.hpp"
 

@@ -7,7 +7,6 @@
 #include "drivers/format/csv.hpp"
 #include "drivers/output/html.hpp"
 #include "drivers/picture/drawing.hpp"
-#include "drivers/text/table_text.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers::study_page {
@@ -15,11 +14,6 @@ namespace assay::drivers::study_page {
 namespace {
 
 using Texts = std::vector<std::string>;
-
-std::size_t characters(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
 
 /// The text with a blank after every `most` characters of a word.
 std::string with_short_words(const std::string& text, std::size_t most) {
@@ -151,7 +145,7 @@ std::map<std::string, std::string> csv_files(const Document& document) {
   for (const Section& section : document.sections) {
     const std::vector<Texts> lines = lines_on(Page::csv, section.table, as_it_is);
     if (lines[0].empty() || files.contains(section.file)) continue;
-    CsvFields out(lines[0]);
+    CsvText out(lines[0]);
     for (std::size_t i = 1; i < lines.size(); ++i) out.row(lines[i]);
     files[section.file] = out.text();
   }

@@ -4,12 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/format/yaml_reader.hpp"
+#include "drivers/result/json_fields.hpp"
 #include "drivers/result/json_figure.hpp"
 #include "drivers/study/analysis/clock.hpp"
 #include "drivers/study/analysis/study_json.hpp"
-#include "drivers/study/pages/answers.hpp"
+#include "drivers/study/pages/study_pages.hpp"
 #include "drivers/study/pages/words.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
@@ -31,9 +31,7 @@ std::string cost_with_spread(const StudyFindings& findings, const StudyCase& one
 
 /// The axis `threads`, or what the case's figures say.
 std::optional<std::int64_t> threads_of(const StudyCase& one) {
-  for (const AxisValue& at : one.values) {
-    if (at.axis == "threads") return parse_integer(at.value);
-  }
+  if (const std::string given = value_on(one, "threads"); !given.empty()) return parse_integer(given);
   const Figure threads = number_of(one, "threads");
   if (threads && *threads >= 1 && *threads <= 4096) return static_cast<std::int64_t>(*threads);
   return std::nullopt;
@@ -195,15 +193,8 @@ std::string survival_json(const StoredStudy& study, const std::vector<Survival>&
       const StudyCase& one = study.findings.cases[i];
       lost.push_back({{"number", one.number}, {"label", one.label}, {"outcome", one.outcome}, {"reason", one.reason}});
     }
-    methods.push_back({{"method", of.method},
-                       {"completed", of.completed},
-                       {"died", of.died},
-                       {"refused", of.refused},
-                       {"unfinished", of.unfinished},
-                       {"not_applicable", of.not_applicable},
-                       {"uses_exact_solution", of.uses_exact_solution},
-                       {"error_ratio", json_figure(of.error_ratio)},
-                       {"lost", lost}});
+    methods.push_back(JsonFields<Json>::of(of));
+    methods.back()["lost"] = lost;
   }
   return json_document({{"recommended", best ? Json(best->method) : Json()},
                         {"settings", json_text(best ? settings_of(study, *best) : "")},

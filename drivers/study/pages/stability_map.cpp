@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/pages/stability_map.hpp"
+#include "drivers/study/pages/study_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "drivers/picture/colormap.hpp"
 #include "drivers/picture/label_placer.hpp"
 #include "drivers/study/pages/words.hpp"
+#include "drivers/text/words.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {
@@ -49,8 +50,7 @@ void tell(const StudyFindings& findings, const StudyCase& one, const Errors& err
     cell.ink = readable_on(cell.background);
     return;
   }
-  cell.text = one.outcome;
-  std::ranges::replace(cell.text, '_', ' ');
+  cell.text = in_plain_words(one.outcome);
   if (one.outcome != "n/a") cell.background = died(one) ? orange : grey;
   const Figure t = number_of(one, "t");
   if (died(one) && t) cell.detail = "t = " + plain_text(*t) + " s";
@@ -75,10 +75,6 @@ void tell_all(const StudyFindings& findings, const Errors& errors, StabilityCell
   cell.ink = readable_on(cell.background);
 }
 
-bool is_among(const std::vector<std::string>& names, const std::string& name) {
-  return std::ranges::find(names, name) != names.end();
-}
-
 /// Axes whose values can be told apart on a map.
 std::vector<std::string> axes_shown(const StudyFindings& findings) {
   std::vector<std::string> shown;
@@ -91,7 +87,7 @@ std::vector<std::string> axes_shown(const StudyFindings& findings) {
 }
 
 std::string column_axis(const StudyFindings& findings, const std::vector<std::string>& shown) {
-  if (is_among(shown, findings.refine_key)) return findings.refine_key;
+  if (is_one_of(findings.refine_key, shown)) return findings.refine_key;
   return shown.size() > 1 ? shown[1] : "";
 }
 
@@ -99,16 +95,15 @@ std::string column_axis(const StudyFindings& findings, const std::vector<std::st
 std::string row_of(const StudyCase& one, const std::vector<std::string>& shown, const std::string& column) {
   std::string name;
   for (const AxisValue& at : one.values) {
-    if (at.axis != column && is_among(shown, at.axis)) name += (name.empty() ? "" : ", ") + at.value;
+    if (at.axis != column && is_one_of(at.axis, shown)) name += (name.empty() ? "" : ", ") + at.value;
   }
   return name.empty() ? "all" : name;
 }
 
 /// Where the text stands among these, or comes to stand.
 std::size_t place_of(const std::string& text, std::vector<std::string>& all) {
-  const auto found = std::ranges::find(all, text);
-  const auto at = static_cast<std::size_t>(found - all.begin());
-  if (found == all.end()) all.push_back(text);
+  const std::size_t at = index_of(text, all);
+  if (at == all.size()) all.push_back(text);
   return at;
 }
 

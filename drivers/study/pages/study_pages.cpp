@@ -10,11 +10,9 @@
 #include "drivers/output/junit.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/study/analysis/study_json.hpp"
-#include "drivers/study/pages/stability_map.hpp"
+#include "drivers/study/pages/study_figures.hpp"
 #include "drivers/study/pages/study_sections.hpp"
-#include "drivers/study/pages/study_style.hpp"
 #include "drivers/study/pages/words.hpp"
-#include "drivers/study/pages/work_precision.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
@@ -68,7 +66,12 @@ study_page::Document study_document(const StudyFindings& findings, const std::se
   return out;
 }
 
-std::string report_text(const study_page::Document& document) { return html_text(document, study_style); }
+std::string report_text(const study_page::Document& document) {
+  constexpr const char* style =
+#include "study_style.inc"
+      ;
+  return html_text(document, style);
+}
 
 constexpr std::size_t largest_picture = std::size_t{1} << 26;
 

@@ -10,11 +10,11 @@
 #include "drivers/picture/line_plot.hpp"
 #include "drivers/study/analysis/clock.hpp"
 #include "drivers/study/analysis/recommendation.hpp"
-#include "drivers/study/pages/stability_map.hpp"
+#include "drivers/study/pages/study_figures.hpp"
 #include "drivers/study/pages/study_sections.hpp"
 #include "drivers/study/pages/words.hpp"
-#include "drivers/study/pages/work_precision.hpp"
 #include "drivers/system/input_error.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers::study_page {
 
@@ -146,9 +146,8 @@ Section verdict(const StudyFindings& findings) {
   } else if (!findings.expect.empty()) {
     kind = "good", sentence = "All expectations hold";
   }
-  std::string counts = counts_text(
-      findings, {"completed", "unstable", "material_failed", "refused", "crashed", "stopped", "missing", "n/a"});
-  std::ranges::replace(counts, '_', ' ');
+  const std::string counts = in_plain_words(counts_text(
+      findings, {"completed", "unstable", "material_failed", "refused", "crashed", "stopped", "missing", "n/a"}));
   const std::string load = load_sentence(findings);
   return section_of(Page::html, "",
                     "<div class=\"verdict " + kind + "\">" + element("strong", sentence) +

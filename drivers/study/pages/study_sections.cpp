@@ -7,9 +7,9 @@
 #include "drivers/format/csv.hpp"
 #include "drivers/output/html.hpp"
 #include "drivers/study/analysis/recommendation.hpp"
-#include "drivers/study/pages/stability_map.hpp"
+#include "drivers/study/pages/study_figures.hpp"
 #include "drivers/study/pages/words.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers::study_page {
@@ -50,6 +50,12 @@ Cell fit_cell(const std::optional<FittedOrder>& fit) {
   const std::string lower = rounded_text(*fit->lower, 3), upper = rounded_text(*fit->upper, 3);
   return Cell(order + " (" + lower + " to " + upper + ")")
       .on(Page::html, element("b", order) + " [" + lower + ", " + upper + "]");
+}
+
+/// Why there is no table of digits.
+std::string no_digits_text(const StudyFindings& findings) {
+  if (!findings.front.empty()) return "the error is 0, so there is no next digit\n";
+  return wrapped("no case has both an error and a cost" + rest_words(findings), "", "  ");
 }
 
 /// A bar of the share of the largest one.
@@ -98,14 +104,13 @@ Section front(const StudyFindings& findings) {
   Section out{"The cases on the front", "pareto.csv",
               "No other case is both cheaper and more accurate. Cases that use the exact solution do not take part."};
   if (!findings.front.empty()) out.before[Page::terminal] = "cases that no other case beats in both error and cost:\n";
-  const std::vector<std::string> heads = front_heads(findings);
-  const std::string work = heads.size() > 4 ? heads[4] : "";
+  const std::string work = findings.cost_key == work_key ? "" : "particle-steps";  // they stand there once
   out.table.columns = {{"number", "", "", ""},
                        {"case", "", "", ""},
-                       {"series", "", heads[0], heads[0]},
-                       {"resolution", "", heads[1], heads[1]},
-                       {"error", "error", heads[2], heads[2]},
-                       {"cost", "cost", plain_markdown(heads[3]), escaped(heads[3])},
+                       {"series", "", "case", "case"},
+                       {"resolution", "", "resolution", "resolution"},
+                       {"error", "error", "error", "error"},
+                       {"cost", "cost", plain_markdown(findings.cost_name), escaped(findings.cost_name)},
                        {"cost_spread", "spread", "", ""},
                        {"particle_steps", "", work, work},
                        {"", "case", "", ""}};
@@ -129,7 +134,9 @@ Section front(const StudyFindings& findings) {
 Section orders(const StudyFindings& findings) {
   Section out{"Orders of convergence", "orders.csv"};
   out.before[Page::terminal] = orders_text(findings);
-  const std::string published = has_published(findings) ? "published" : "";
+  const bool any =
+      std::ranges::any_of(findings.series, [](const auto& series) { return series.published.has_value(); });
+  const std::string published = any ? "published" : "";
   out.table.columns = {{"", "", "series", "series"},
                        {"", "", "from grid to grid", "from grid to grid"},
                        {"", "", "fit, 95 % interval", "fit, 95 % interval"},

@@ -8,9 +8,8 @@
 #include "drivers/study/pages/document.hpp"
 #include "drivers/study/pages/study_pages.hpp"
 #include "drivers/system/input_error.hpp"
-#include "drivers/text/number_format.hpp"
 #include "drivers/text/numbers.hpp"
-#include "drivers/text/table_text.hpp"
+#include "drivers/text/words.hpp"
 #include "drivers/text/wrapped_text.hpp"
 
 namespace assay::drivers {
@@ -69,21 +68,10 @@ std::string resolution_text(const StudyFindings& findings, const StudyCase& one)
 std::string factor_text(double factor) { return "\u00d7" + plain_text(factor); }
 
 std::string outcome_text(const StudyCase& one) {
-  std::string text = one.outcome;
-  std::ranges::replace(text, '_', ' ');
+  std::string text = in_plain_words(one.outcome);
   const Figure t = number_of(one, "t");
   const bool ran = one.outcome != "completed" && one.outcome != "n/a" && one.outcome != "refused";
   return ran && t ? text + " at t = " + plain_text(*t) + " s" : text;
-}
-
-std::optional<std::size_t> least_work(const StudyFindings& findings, double error) {
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < findings.cases.size(); ++i) {
-    const StudyCase& one = findings.cases[i];
-    if (!one.eligible || one.budget || !one.work || !one.error || *one.error > error) continue;
-    if (!found || *one.work < *findings.cases[*found].work) found = i;
-  }
-  return found;
 }
 
 std::vector<std::size_t> drawn_histories(const StudyFindings& findings) {
@@ -106,12 +94,6 @@ std::vector<std::size_t> drawn_histories(const StudyFindings& findings) {
   return drawn;
 }
 
-std::vector<std::string> front_heads(const StudyFindings& findings) {
-  std::vector<std::string> heads{"case", "resolution", "error", findings.cost_name};
-  if (findings.cost_key != work_key) heads.emplace_back("particle-steps");
-  return heads;
-}
-
 std::string published_text(const StudySeries& series) {
   return series.published ? rounded_text(*series.published, 3) + " (" + series.source + ")" : "";
 }
@@ -125,10 +107,6 @@ std::string counts_text(const StudyFindings& findings, const std::vector<std::st
     if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + outcome;
   }
   return text;
-}
-
-bool has_published(const StudyFindings& findings) {
-  return std::ranges::any_of(findings.series, [](const StudySeries& series) { return series.published.has_value(); });
 }
 
 std::string case_line(const StudyFindings& words, const StudyCase& one, std::size_t done, std::size_t total) {
@@ -153,11 +131,6 @@ std::string contradiction_text(const StudyFindings& findings) {
         "  ", "    ");
   }
   return text;
-}
-
-std::string no_digits_text(const StudyFindings& findings) {
-  if (!findings.front.empty()) return "the error is 0, so there is no next digit\n";
-  return wrapped("no case has both an error and a cost" + rest_words(findings), "", "  ");
 }
 
 std::string orders_text(const StudyFindings& findings) {

@@ -41,24 +41,12 @@ std::string spread_text(double spread);
 /// "12 completed, 3 unstable": how many cases ended how, in this order.
 std::string counts_text(const StudyFindings& findings, const std::vector<std::string>& outcomes);
 
-/// Whether somebody has published an order of one of the series.
-bool has_published(const StudyFindings& findings);
-
-/// Heads of the columns of the front: particle-steps stand there once.
-std::vector<std::string> front_heads(const StudyFindings& findings);
-
 /// Whether the words of a study name times, which differ from machine to machine.
 bool is_time(const StudyFindings& findings);
-
-/// The eligible case of least work with at most this error; none where no case meets it.
-std::optional<std::size_t> least_work(const StudyFindings& findings, double error);
 
 /// At most seven cases whose error is drawn over time: the most accurate of the front by particle-steps, which is the
 /// same on any machine; where these are fewer, the finest of each series, and then their coarser ones, too.
 std::vector<std::size_t> drawn_histories(const StudyFindings& findings);
-
-/// Why there is no table of digits.
-std::string no_digits_text(const StudyFindings& findings);
 
 /// Empty where no series has an order.
 std::string orders_text(const StudyFindings& findings);

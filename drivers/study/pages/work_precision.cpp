@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/pages/work_precision.hpp"
+#include "drivers/study/pages/study_figures.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -65,6 +65,17 @@ void color_front(const StudyFindings& findings, const std::vector<std::size_t>& 
   }
   std::ranges::stable_sort(order, [](const auto& a, const auto& b) { return a.first > b.first; });
   for (std::size_t i = 0; i < std::min(order.size(), palette); ++i) out.curves[order[i].second].color = i;
+}
+
+/// The eligible case of least work with at most this error; none where no case meets it.
+std::optional<std::size_t> least_work(const StudyFindings& findings, double error) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < findings.cases.size(); ++i) {
+    const StudyCase& one = findings.cases[i];
+    if (!one.eligible || one.budget || !one.work || !one.error || *one.error > error) continue;
+    if (!found || *one.work < *findings.cases[*found].work) found = i;
+  }
+  return found;
 }
 
 std::vector<WorkLevel> levels_of(const StudyFindings& findings, CostAxis axis) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/pages/work_precision.hpp"
+#include "drivers/study/pages/study_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "drivers/picture/label_placer.hpp"
 #include "drivers/picture/ticks.hpp"
@@ -18,17 +17,9 @@ constexpr double text_size = 15, small_size = 13, name_size = 17;
 constexpr Ink text_ink{Ink::Role::text}, axis_ink{Ink::Role::axis}, grid_ink{Ink::Role::grid},
     faint_ink{Ink::Role::faint}, band_ink{Ink::Role::band};
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity(), high = 0;
-  void add(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
-
 /// A logarithmic axis with some room at its ends.
-Axis axis_around(Range range) {
-  if (!(range.low <= range.high)) range = {0.1, 1};
+Axis axis_around(Extent range) {
+  if (range.empty()) range = {0.1, 1};
   return make_axis(range.low / 1.35, range.high * 1.35, true, Fit::tight, 7);
 }
 
@@ -74,7 +65,7 @@ class Plot {
   }
 
   void fit() {
-    Range cost, error;
+    Extent cost, error;
     for (const WorkCurve& curve : shown_.curves) {
       for (const auto& run : curve.runs) {
         for (const WorkPoint& point : run) cost.add(point.cost), error.add(point.error);

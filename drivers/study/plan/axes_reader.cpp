@@ -41,8 +41,7 @@ Span read_span(const Tree& map, const std::string& key) {
   if (!to) throw InputError(map.where, key_path(key, "to"), "required and not given");
   if (const Tree* log = map.find("log")) span.logarithmic = boolean_value(*log, key_path(key, "log"));
   if (const Tree* whole = map.find("whole")) span.whole = boolean_value(*whole, key_path(key, "whole"));
-  Range range;
-  range.whole = span.whole;
+  const Range range{.whole = span.whole};
   span.from = number_value(*map.find("from"), key_path(key, "from"), range);
   span.to = number_value(*to, key_path(key, "to"), range);
   if (!std::isfinite(span.to - span.from)) throw InputError(to->where, key_path(key, "to"), "is too far from 'from'");
@@ -85,7 +84,7 @@ StudyAxis read_axis(const Tree::Entry& entry) {
 }
 
 const StudyAxis* axis_of(const Study& study, const std::string& name) {
-  const auto found = std::ranges::find_if(study.axes, [&](const auto& a) { return a.name == name; });
+  const auto found = std::ranges::find(study.axes, name, &StudyAxis::name);
   return found == study.axes.end() ? nullptr : &*found;
 }
 
@@ -95,21 +94,17 @@ const Level* level_of(const StudyAxis& axis, const std::string& name) {
   return found == axis.levels.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> names_of(const std::vector<StudyAxis>& axes) {
+/// Of axes, or of levels.
+template <class T>
+std::vector<std::string> names_in(const std::vector<T>& all) {
   std::vector<std::string> names;
-  for (const StudyAxis& axis : axes) names.push_back(axis.name);
-  return names;
-}
-
-std::vector<std::string> names_of(const std::vector<Level>& levels) {
-  std::vector<std::string> names;
-  for (const Level& level : levels) names.push_back(one_line(level.name, 80));
+  for (const T& each : all) names.push_back(one_line(each.name, 80));
   return names;
 }
 
 void check_level(const StudyAxis& axis, const std::string& value, const Location& where, const std::string& key) {
   if (axis.span || level_of(axis, value)) return;
-  const auto known = names_of(axis.levels);
+  const auto known = names_in(axis.levels);
   throw InputError(where, key, unknown("value '" + one_line(value, 80) + "'", value, known), joined(known));
 }
 
@@ -177,7 +172,7 @@ void check_refined_axis(const StudyAxis& axis, const std::string& refine) {
 
 /// The axis of a listed value; of a scene's key that is none yet a new one.
 StudyAxis& listed_axis(const Tree::Entry& entry, const std::string& path, Study& study) {
-  const auto found = std::ranges::find_if(study.axes, [&](const auto& axis) { return axis.name == entry.key; });
+  const auto found = std::ranges::find(study.axes, entry.key, &StudyAxis::name);
   if (found != study.axes.end()) return *found;
   check_path(entry.key, entry.key_where, path);
   study.axes.push_back({entry.key, {}, {}, true, entry.key_where});
@@ -215,7 +210,7 @@ void read_list(const Tree& list, Study& study) {
     throw InputError(list.where, "cases", "must be a list of maps of axes to values");
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     const std::string path = "cases[" + std::to_string(i) + "]";
-    require_map(list.items[i], path, joined(names_of(study.axes)));
+    require_map(list.items[i], path, joined(names_in(study.axes)));
     std::vector<std::pair<std::string, Tree>> values;
     for (const Tree::Entry& entry : list.items[i].entries) {
       StudyAxis& axis = listed_axis(entry, path, study);
@@ -246,7 +241,7 @@ void check_axes(const Study& study) {
   if (!study.refine.empty() &&
       std::ranges::none_of(axes, [&](const StudyAxis& axis) { return sets_key(axis, study.refine); })) {
     throw InputError(study.refine_where, "refine", "no axis sets '" + one_line(study.refine, 80) + "'",
-                     joined(names_of(axes)));
+                     joined(names_in(axes)));
   }
 }
 
@@ -254,17 +249,12 @@ void check_condition(const Condition& condition, const std::string& key, const S
   const StudyAxis* axis = axis_of(study, condition.axis);
   const std::string path = key_path(key, condition.axis);
   if (!axis) {
-    const auto known = names_of(study.axes);
+    const auto known = names_in(study.axes);
     throw InputError(condition.where, path, unknown("axis", condition.axis, known), joined(known));
   }
   for (const std::string& value : condition.values) check_level(*axis, value, condition.where, path);
 }
 
-bool sets_key(const StudyAxis& axis, const std::string& key) {
-  if (axis.is_key) return axis.name == key;
-  return std::ranges::any_of(axis.levels, [&](const Level& level) {
-    return std::ranges::any_of(level.settings, [&](const Setting& setting) { return setting.path == key; });
-  });
-}
+bool sets_key(const StudyAxis& axis, const std::string& key) { return keys_of(axis).contains(key); }
 
 }  // namespace assay::drivers

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/plan/plan.hpp"
+#include "drivers/study/plan/study.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "drivers/material/material_choice.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/program_identity.hpp"
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/sha256.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/plan/plan.hpp"
+#include "drivers/study/plan/study.hpp"
 
 #include <algorithm>
 #include <map>
@@ -18,11 +18,6 @@ namespace assay::drivers {
 
 namespace {
 
-/// What a case of a study leaves unless the study asks for more.
-std::vector<Setting> modest_output() {
-  return {parse_setting("output.particles=0"), parse_setting("output.report=false")};
-}
-
 /// A base scene with what the study sets in every case.
 struct Base {
   Tree tree;
@@ -33,7 +28,9 @@ Base base_of(const Study& study, const std::string& file) {
   const std::string text = read_bytes(file);
   Base base{scene_tree(text, file), file, sha256_hex(text)};
   std::erase_if(base.tree.entries, [](const Tree::Entry& entry) { return entry.key == "expect"; });
-  for (const Setting& setting : modest_output()) apply_setting(base.tree, setting);
+  // what a case leaves unless the study asks for more
+  for (const char* modest : {"output.particles=0", "output.report=false"})
+    apply_setting(base.tree, parse_setting(modest));
   for (const Setting& setting : study.set) {
     if (setting.path != threads_key) apply_setting(base.tree, setting);
   }
@@ -41,9 +38,7 @@ Base base_of(const Study& study, const std::string& file) {
 }
 
 int threads_of(const Setting& setting) {
-  Range whole{1, 4096};
-  whole.whole = true;
-  return static_cast<int>(number_value(setting.value, threads_key, whole));
+  return static_cast<int>(number_value(setting.value, threads_key, {.lower = 1, .upper = 4096, .whole = true}));
 }
 
 /// Names of levels that hold what stands between them are quoted where there are several axes with names.

@@ -50,15 +50,12 @@ Sampling read_sampling(const Tree& tree) {
                                                                           : Sampling::Type::product};
   }
   require_map(tree, "sampling", "product, list, or a map of latin_hypercube and seed");
-  refuse_unknown_keys(tree, "sampling", {"latin_hypercube", "seed"});
-  const Tree& count = required(tree, "sampling", "latin_hypercube");
   Sampling sampling{Sampling::Type::latin_hypercube};
-  Range whole{1, most_cases};
-  whole.whole = true;
-  sampling.count = static_cast<int>(number_value(count, "sampling.latin_hypercube", whole));
-  whole.upper = std::numeric_limits<int>::max();
-  if (const Tree* seed = tree.find("seed"))
-    sampling.seed = static_cast<int>(number_value(*seed, "sampling.seed", whole));
+  const YamlRows rows{count_row("latin_hypercube", sampling.count, most_cases),
+                      count_row("seed", sampling.seed, std::numeric_limits<int>::max())};
+  refuse_unknown_keys(tree, "sampling", names_of(rows));
+  required(tree, "sampling", "latin_hypercube");
+  read_rows(tree, "sampling", rows);
   return sampling;
 }
 
@@ -70,14 +67,13 @@ StudyTiming read_timing(const Tree& tree, const Study& study) {
     return timing;
   }
   require_map(tree, "timing", "none, or a map of repeat, seconds, where");
-  refuse_unknown_keys(tree, "timing", {"repeat", "seconds", "where"});
-  Range range{1, 1000};
-  range.whole = true;
-  if (const Tree* value = tree.find("repeat"))
-    timing.repeat = static_cast<int>(number_value(*value, "timing.repeat", range));
-  const Range seconds{0, 1e9};
-  if (const Tree* value = tree.find("seconds")) timing.seconds = number_value(*value, "timing.seconds", seconds);
-  if (const Tree* value = tree.find("where")) timing.where = selection_of(*value, "timing.where", study);
+  const auto read_where = [&](const Tree& where, const std::string& key) {
+    timing.where = selection_of(where, key, study);
+  };
+  read_only_rows(tree, "timing",
+                 {count_row("repeat", timing.repeat, 1000),
+                  number_row("seconds", timing.seconds, {0, 1e9}),
+                  {"where", read_where, nullptr}});
   return timing;
 }
 
@@ -145,7 +141,7 @@ void read_expect(const Tree& tree, Study& study) {
 /// A number of result.json, by its dotted key.
 std::string figure_key(const Tree& tree, const std::string& key) {
   std::vector<std::string> known = flat_keys();
-  std::erase_if(known, [](const std::string& each) { return is_text_figure(each); });
+  std::erase_if(known, [](const std::string& each) { return figure_of_result(each).kind == Field::Kind::text; });
   return choice_value(tree, key, known);
 }
 

@@ -5,7 +5,7 @@
 
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
-#include "drivers/scene/schema.hpp"
+#include "drivers/scene/scene_keys.hpp"
 #include "drivers/study/plan/study.hpp"
 
 namespace assay::drivers {
@@ -43,7 +43,7 @@ Json map_of(const Json& values) {
 Json settings() {
   Json properties{{threads_key, {{"type", "integer"}, {"minimum", 1}}}, {scene_key, text()}};
   for (const Key& key : scene_keys()) {
-    Json one = Json::parse(type_schema(key));
+    Json one = type_schema(key);
     Json& known = properties[key.path];
     if (known.is_null()) known = Json{{"description", key.doc}, {"anyOf", Json::array()}};
     known["anyOf"].push_back(std::move(one));
@@ -100,15 +100,15 @@ Json budget() {
 
 Json expect() {
   Json properties{{"where", selection()}};
-  for (const std::string& key : flat_keys()) properties[key] = Json::parse(expectation_schema(key, study_outcomes()));
-  for (const char* key : {order_key, last_order_key}) properties[key] = Json::parse(expectation_schema(key, {}));
+  for (const std::string& key : flat_keys()) properties[key] = expectation_schema(key, study_outcomes());
+  for (const char* key : {order_key, last_order_key}) properties[key] = expectation_schema(key, {});
   return list_of(object(properties));
 }
 
 Json figure() {
   Json names = Json::array();
   for (const std::string& key : flat_keys()) {
-    if (!is_text_figure(key)) names.push_back(key);
+    if (figure_of_result(key).kind != Field::Kind::text) names.push_back(key);
   }
   return {{"enum", names}};
 }

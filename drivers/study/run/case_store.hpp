@@ -6,9 +6,9 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
-#include "drivers/study/case_lock.hpp"
-#include "drivers/study/plan/plan.hpp"
+#include "drivers/study/plan/study.hpp"
 #include "drivers/study/run/study_case.hpp"
 
 namespace assay::drivers {
@@ -27,6 +27,22 @@ enum class CaseState {
   torn,     ///< a file is not what it was, or cannot be read
   crashed,  ///< finished without a result: worth another attempt
   stopped,  ///< took longer than the study's limit: another study may have another
+};
+
+/// Who runs a case: two studies, or two shards that were given the same part, must not do it at once. Held until it
+/// goes, or the process that holds it.
+class CaseLock {
+ public:
+  /// None where another holds it, or a run still writes into the folder. Makes the folder. Throws SystemError.
+  static std::optional<CaseLock> tried(const std::filesystem::path& folder);
+
+  CaseLock(CaseLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+  CaseLock& operator=(CaseLock&&) = delete;
+  ~CaseLock();
+
+ private:
+  explicit CaseLock(int file) : file_(file) {}
+  int file_;
 };
 
 class CaseStore {

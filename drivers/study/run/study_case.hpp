@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/result/fields.hpp"
 #include "drivers/result/result.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/study/plan/study.hpp"
@@ -22,14 +23,7 @@ struct ClockReadings {
   std::vector<double> others;  ///< cores that other programs kept busy meanwhile [1]
   std::string machine;         ///< "AMD EPYC, 2 cores"
 
-  static void fields(auto& self, auto& archive) {
-    archive("alone", self.alone);
-    archive("step_s", self.step_s);
-    archive("cpu_s", self.cpu_s);
-    archive("wall_s", self.wall_s);
-    archive("others", self.others);
-    archive("machine", self.machine);
-  }
+  ASSAY_FIELDS(alone, step_s, cpu_s, wall_s, others, machine)
 };
 
 /// One case. Figures that were not reached are absent.
@@ -56,27 +50,8 @@ struct StudyCase {
 
   bool completed() const { return outcome == "completed"; }
 
-  static void fields(auto& self, auto& archive) {
-    archive("number", self.number);
-    archive("key", self.key);
-    archive("values", self.values);
-    archive("label", self.label);
-    archive("series", self.series);
-    archive("resolution", self.resolution);
-    archive("outcome", self.outcome);
-    archive("reason", self.reason);
-    archive("budget", self.budget);
-    archive("error", self.error);
-    archive("cost", self.cost);
-    archive("cost_spread", self.cost_spread);
-    archive("work", self.work);
-    archive("eligible", self.eligible);
-    archive("on_front", self.on_front);
-    archive("clock", self.clock);
-    archive("figures", self.figures);
-    archive("passes", self.passes);
-    archive("history", self.history);
-  }
+  ASSAY_FIELDS(number, key, values, label, series, resolution, outcome, reason, budget, error, cost, cost_spread, work,
+               eligible, on_front, clock, figures, passes, history)
 };
 
 /// What result.json says under that key; null where there is nothing of that type.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/run/study_session.hpp"
+#include "drivers/study/run/runner.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -9,7 +9,7 @@
 #include "bench/effect_scenes.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
-#include "drivers/simulation/screening.hpp"
+#include "drivers/simulation/warnings.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/support/built.hpp"
 #include "tests/support/counting_material.hpp"

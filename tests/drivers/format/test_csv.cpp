@@ -147,7 +147,7 @@ TEST(Csv, unreadable_files_are_bad_input) {
 /// As a spreadsheet would take them; what they were is what our own reader finds.
 TEST(CsvFields, that_look_like_formulas_are_kept_texts) {
   const std::vector<std::string> labels{"=1+1", "+cmd", "-x", "@sum(A1)", "\t=1", "plain", "'quoted", "a\nb\"c;d"};
-  CsvFields fields(labels);
+  CsvText fields(labels);
   fields.row({"-0.5", "+2", "1e-3", "", "", "", "", ""});
   EXPECT_TRUE(fields.text().starts_with("'=1+1,'+cmd,'-x,'@sum(A1),\"'\t=1\",plain,'quoted,")) << fields.text();
   EXPECT_TRUE(fields.text().ends_with("\n-0.5,+2,1e-3,,,,,\n")) << "numbers are none";
@@ -163,7 +163,7 @@ TEST(CsvFields, that_look_like_formulas_are_kept_texts) {
 }
 
 TEST(CsvFields, are_quoted_where_they_must_be) {
-  CsvFields fields({"a", "b"});
+  CsvText fields({"a", "b"});
   fields.row({"plain text", "one, \"two\"\nthree"});
   EXPECT_EQ(fields.text(), "a,b\nplain text,\"one, \"\"two\"\"\nthree\"\n");
   EXPECT_EQ(csv_number(0.1), "0.1");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/picture/particle_picture.hpp"
+#include "drivers/picture/value_pictures.hpp"
 
 #include <gtest/gtest.h>
 

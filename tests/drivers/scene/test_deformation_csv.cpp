@@ -59,7 +59,7 @@ TEST(DeformationCsv, ServesASceneAndItsResolvedForm) {
   };
   const Scene scene = scene_with({});
   EXPECT_EQ(scene.time.end, 1.5);
-  EXPECT_EQ(period_of(scene.motion), 1.5);
+  EXPECT_EQ(scene.motion->period(), 1.5);
   const std::string resolved = resolved_yaml(scene);
   EXPECT_EQ(resolved_yaml(scene_from_text(resolved, "elsewhere.yaml")), resolved);
   const auto line = [&](const std::string& set) { return refusal_of([&] { scene_with({set}); }); };

@@ -68,6 +68,8 @@ TEST(Expect, SaysWhatWasExpectedAndFound) {
   EXPECT_EQ(judged[3].expected, "equals 3");
 }
 
+bool is_text_figure(const std::string& key) { return figure_of_result(key).kind == Field::Kind::text; }
+
 TEST(Expect, EveryKeyOfTheResultMayBeAskedFor) {
   for (const std::string& key : flat_keys()) {
     const bool is_truth = figure_of_result(key).kind == Field::Kind::truth;

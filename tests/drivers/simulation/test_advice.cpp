@@ -117,7 +117,7 @@ TEST(Advice, OfARefusedSceneMakesOneThatIsAcceptedAndLives) {
 TEST(Advice, OfEveryRefusalIsTried) {
   std::size_t found = 0;
   for (const char* file :
-       {"mpm/setup/method.cpp", "drivers/scene/scene_check.cpp", "drivers/simulation/traction_choice.cpp"}) {
+       {"mpm/setup/method.cpp", "drivers/scene/scene_check.cpp", "drivers/simulation/body_faces.cpp"}) {
     std::string source = bytes_of(std::string(ASSAY_SOURCE_DIR "/") + file);
     source = std::regex_replace(source, std::regex("\"\\s*\n\\s*\""), "");  // strings in two pieces
     const std::regex advice(": ((?:take|set) [^\"]*)\"");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/body_ends.hpp"
+#include "drivers/simulation/body_faces.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/growth.hpp"
+#include "drivers/simulation/health.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/screening.hpp"
+#include "drivers/simulation/warnings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/seeds.hpp"
+#include "drivers/simulation/problem.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/sheet_line.hpp"
+#include "drivers/simulation/response_source.hpp"
 
 #include <gtest/gtest.h>
 

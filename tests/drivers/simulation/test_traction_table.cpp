@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The algorithms of tractions side by side: what `output.tractions` adds to a result, and what it does not.
-#include "drivers/simulation/traction_table.hpp"
+#include "drivers/simulation/simulate.hpp"
 
 #include <filesystem>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/text/number_format.hpp"
+#include "drivers/text/numbers.hpp"
 
 #include <gtest/gtest.h>
 

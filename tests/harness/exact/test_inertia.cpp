@@ -74,7 +74,7 @@ TEST(Inertia, IsTheMotionsAccelerationAndItsGradient) {
     for (const double t : {0.13, 0.41}) {
       field->set_time(t);
       for (std::size_t p = 0; p < 4; ++p) {  // within the ring
-        const auto a = [&](double x, double y) { return state_at(motion, {x, y, 0}, t).a; };
+        const auto a = [&](double x, double y) { return motion->at({x, y, 0}, t).a; };
         const Vector3 right = a(X[p], Y[p]), along_x = (a(X[p] + step, Y[p]) - a(X[p] - step, Y[p])) / (2 * step),
                       along_y = (a(X[p], Y[p] + step) - a(X[p], Y[p] - step)) / (2 * step);
         const auto found = field->inertia(p);

@@ -64,9 +64,9 @@ TEST(Motion, VelocityAndAccelerationAreRatesOfThePosition) {
   for (const auto& [name, motion] : motions()) {
     for (const Vector3& X : places) {
       for (const double t : times) {
-        const ExactState now = state_at(motion, X, t);
-        const auto x = [&, &motion = motion](double dt) { return state_at(motion, X, t + dt).x; };
-        const auto v = [&, &motion = motion](double dt) { return state_at(motion, X, t + dt).v; };
+        const ExactState now = motion->at(X, t);
+        const auto x = [&, &motion = motion](double dt) { return motion->at(X, t + dt).x; };
+        const auto v = [&, &motion = motion](double dt) { return motion->at(X, t + dt).v; };
         EXPECT_LT((slope(x) - now.v).norm(), close) << name;
         EXPECT_LT((slope(v) - now.a).norm(), close_twice) << name;
       }
@@ -78,10 +78,10 @@ TEST(Motion, DeformationGradientAndItsRateAreGradients) {
   for (const auto& [name, motion] : motions()) {
     for (const Vector3& X : places) {
       for (const double t : times) {
-        const ExactState now = state_at(motion, X, t);
+        const ExactState now = motion->at(X, t);
         for (int d = 0; d < 3; ++d) {
-          const auto x = [&, &motion = motion](double h) { return state_at(motion, X + h * Vector3::Unit(d), t).x; };
-          const auto v = [&, &motion = motion](double h) { return state_at(motion, X + h * Vector3::Unit(d), t).v; };
+          const auto x = [&, &motion = motion](double h) { return motion->at(X + h * Vector3::Unit(d), t).x; };
+          const auto v = [&, &motion = motion](double h) { return motion->at(X + h * Vector3::Unit(d), t).v; };
           EXPECT_LT((slope(x) - now.F.col(d)).norm(), close) << name << d;
           EXPECT_LT((slope(v) - now.F_rate.col(d)).norm(), close_twice) << name << d;
         }
@@ -92,7 +92,7 @@ TEST(Motion, DeformationGradientAndItsRateAreGradients) {
 
 TEST(Motion, BeginsUndeformed) {
   for (const auto& [name, motion] : motions()) {
-    const ExactState state = state_at(motion, places[0], 0);
+    const ExactState state = motion->at(places[0], 0);
     EXPECT_LT((state.F - Tensor::Identity()).norm(), 1e-15) << name;
     EXPECT_LT((state.x - places[0]).norm(), 1e-15) << name;
   }
@@ -107,13 +107,13 @@ TEST(Motion, BaselineStretchesAsTheMotionDoes) {
       double parameter = 1;
       if (const auto* vortex = motion.as<Vortex>()) parameter = vortex->profile(R).xi;
       if (motion.as<TwistingRing>()) parameter = R;
-      Path path = baseline_of(motion);
+      Path path = motion->baseline();
       if (const auto* box = motion.as<AxisAligned>()) {
         parameter = std::cos(M_PI * X.x());
         path = box->section(std::cos(M_PI * X.y()));
       }
       const Tensor q = ring_of(motion) ? rotation_about_z(std::atan2(X.y(), X.x())) : Tensor(Tensor::Identity());
-      const Tensor F = state_at(motion, X, t).F * q, B = path.deformation_gradient(parameter, t);
+      const Tensor F = motion->at(X, t).F * q, B = path.deformation_gradient(parameter, t);
       EXPECT_LT((F.transpose() * F - B.transpose() * B).norm(), 1e-13) << name;
       const double h = difference_step;
       const auto of_t = [&](double dt) { return path.deformation_gradient(parameter, t + dt); };
@@ -126,12 +126,12 @@ TEST(Motion, KnowsWhatItHas) {
   for (const auto& [name, motion] : motions()) {
     const std::string who = name;
     EXPECT_EQ(ring_of(motion).has_value(), who == "vortex" || who == "twisting_ring") << who;
-    EXPECT_EQ(amplitude_of(motion) != nullptr,
+    EXPECT_EQ(motion->amplitude() != nullptr,
               who == "vortex" || who == "twisting_ring" || who == "axis_aligned" || who == "bar_1d")
         << who;
-    EXPECT_GT(period_of(motion), 0) << who;
-    const Tensor here = state_at(motion, places[0], 0.4).F, there = state_at(motion, places[1], 0.4).F;
-    EXPECT_EQ(is_homogeneous(motion), here == there) << who;
+    EXPECT_GT(motion->period(), 0) << who;
+    const Tensor here = motion->at(places[0], 0.4).F, there = motion->at(places[1], 0.4).F;
+    EXPECT_EQ(motion->is_homogeneous(), here == there) << who;
   }
 }
 

@@ -41,7 +41,7 @@ TEST(VirtualStress, IsTakenFromTheStressOfParticlesThatErr) {
     }
     Simulation<2> simulation(setup, {pass});
     auto& s = simulation.state();
-    Tensor F = state_at(*setup.motion, Vector3::Zero(), t).F, sigma = exact.cauchy;
+    Tensor F = (*setup.motion)->at(Vector3::Zero(), t).F, sigma = exact.cauchy;
     F(0, 0) += 0.05, F(0, 1) -= 0.08, F(1, 0) += 0.03, F(1, 1) -= 0.02;
     sigma(0, 0) *= 1.2, sigma(0, 1) = sigma(1, 0) = sigma(0, 1) + 77;
     for (std::size_t p = 0; p < s.particles; ++p) {

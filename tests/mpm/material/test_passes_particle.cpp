@@ -50,7 +50,7 @@ TEST(BodyForce, ASheetServesAsWellAsTheClosedForm) {
   mpm::Setup<2> setup = vortex_setup(across);
   Simulation<2> exact(setup);
   setup.exact = exact_polar(*setup.motion, setup.density,
-                            std::make_shared<const Response>(Sheet(*setup.material, baseline_of(*setup.motion), {})));
+                            std::make_shared<const Response>(Sheet(*setup.material, (*setup.motion)->baseline(), {})));
   Simulation<2> sheet(setup);
   for (int k = 0; k < 20; ++k) {
     exact.step(k * dt, dt);

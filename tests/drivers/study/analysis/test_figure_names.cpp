@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/analysis/analysis.hpp"
+#include "drivers/study/analysis/findings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "drivers/study/pages/answers.hpp"
+#include "drivers/study/pages/study_pages.hpp"
 #include "drivers/study/pages/words.hpp"
 #include "drivers/system/input_error.hpp"
 #include "tests/drivers/study/two_methods.hpp"

@@ -8,9 +8,8 @@
 #include <map>
 #include <sstream>
 
-#include "drivers/study/pages/stability_map.hpp"
+#include "drivers/study/pages/study_figures.hpp"
 #include "drivers/study/pages/study_pages.hpp"
-#include "drivers/study/pages/work_precision.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/drivers/study/page_probe.hpp"
 #include "tests/drivers/study/sample_study.hpp"

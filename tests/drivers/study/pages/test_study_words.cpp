@@ -7,6 +7,7 @@
 #include <set>
 
 #include "drivers/study/pages/study_pages.hpp"
+#include "drivers/study/pages/study_sections.hpp"
 #include "tests/drivers/study/sample_study.hpp"
 
 namespace assay::drivers::test_study_words {
@@ -31,6 +32,15 @@ TEST(StudyWords, OfFewCasesEveryHistoryIsDrawnTheUnstableToo) {
     const bool known = std::find(drawn.begin(), drawn.end(), finest) != drawn.end();
     EXPECT_EQ(known, !findings.cases[finest].history.empty()) << series.name;
   }
+}
+
+std::vector<std::string> front_heads(const StudyFindings& findings) {
+  std::vector<std::string> heads;
+  for (const study_page::Column& column : study_page::front(findings).table.columns) {
+    const std::string& head = column[study_page::Page::markdown];
+    if (!head.empty()) heads.push_back(head);
+  }
+  return heads;
 }
 
 TEST(StudyWords, ParticleStepsAreOneColumn) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/plan/plan.hpp"
+#include "drivers/study/plan/study.hpp"
 #include "drivers/system/program_identity.hpp"
 
 #include <gtest/gtest.h>

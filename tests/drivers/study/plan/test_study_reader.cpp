@@ -13,6 +13,8 @@
 namespace assay::drivers::test_study_reader {
 namespace {
 
+bool is_text_figure(const std::string& key) { return figure_of_result(key).kind == Field::Kind::text; }
+
 const std::string two_axes = "axes: {method.basis: [cpdi, ugimp], grid.spacing: [0.75, 0.5]}\n";  // line 2
 
 /// Refusals of lines after two axes; the first of them is line 3.

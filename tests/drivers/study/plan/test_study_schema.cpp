@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "drivers/format/yaml_values.hpp"
-#include "drivers/result/build_information.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/system/input_file.hpp"
 #include "tests/drivers/json_schema.hpp"
 #include "tests/drivers/refusal.hpp"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/study/analysis/clock.hpp"
-#include "drivers/study/case_process.hpp"
+#include "drivers/study/run/runner.hpp"
 #include "tests/drivers/study/study_program.hpp"
 
 namespace assay::drivers::test_busy_machine {

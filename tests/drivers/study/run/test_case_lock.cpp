@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/case_lock.hpp"
+#include "drivers/study/run/case_store.hpp"
 
 #include <gtest/gtest.h>
 

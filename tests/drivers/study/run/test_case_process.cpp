@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/study/case_process.hpp"
+#include "drivers/study/run/runner.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Shards of a study and studies that share a folder, by the program itself.
 #include <gtest/gtest.h>
 
-#include "drivers/study/run/study_session.hpp"
+#include "drivers/study/run/runner.hpp"
 #include "tests/drivers/study/study_program.hpp"
 
 namespace assay::drivers::test_study_shards {

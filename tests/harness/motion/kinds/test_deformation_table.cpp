@@ -43,7 +43,7 @@ TEST(DeformationTable, GoesThroughItsRowsWithTheirVelocityAndAcceleration) {
     EXPECT_LT((table.baseline().at(0.5, t).F_rate - 0.5 * rate).norm(), 1e-13);
     EXPECT_LT((table.baseline().at(1, t).F - gradient(t)).norm(), 1e-14);
   }
-  EXPECT_EQ(period_of(Motion(table)), 1.2);
+  EXPECT_EQ(Motion(table)->period(), 1.2);
   EXPECT_FALSE(table.plane());
   EXPECT_EQ(table.baseline().reversals(0.5).size(), 2u);
   EXPECT_DOUBLE_EQ(table.baseline().reversals(0.5)[1], 0.4);

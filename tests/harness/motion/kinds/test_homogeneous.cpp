@@ -42,8 +42,8 @@ TEST(Homogeneous, BaselineHasTheScenesOwnPathInIt) {
 }
 
 TEST(Motion, KnowsItsPeriod) {
-  EXPECT_EQ(period_of(Motion(Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 1, 3}})), 3);
-  EXPECT_EQ(period_of(Motion(Homogeneous{Tensor::Identity(), 4})), 4);
+  EXPECT_EQ(Motion(Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 1, 3}})->period(), 3);
+  EXPECT_EQ(Motion(Homogeneous{Tensor::Identity(), 4})->period(), 4);
 }
 
 }  // namespace

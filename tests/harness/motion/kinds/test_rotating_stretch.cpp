@@ -102,7 +102,7 @@ TEST(RotatingStretch, TurnsAtTheMultiplesOfHalfThePeriod) {
   EXPECT_EQ(sample(Rotate::none).baseline().reversals(3), (std::vector<double>{0.85, 1.7, 0.5 * 1.7 * 3}));
   EXPECT_EQ(sample(Rotate::after).baseline().reversals(9), (std::vector<double>{0.85, 1.7}));
   EXPECT_TRUE(sample(Rotate::after).baseline().reversals(0.85).empty());
-  EXPECT_EQ(period_of(Motion(sample(Rotate::after))), 1.7);
+  EXPECT_EQ(Motion(sample(Rotate::after))->period(), 1.7);
 }
 
 }  // namespace

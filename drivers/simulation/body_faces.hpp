@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which tractions act in a run.
+// Which faces of a body are symmetry planes of its motion, which are periodic, and which bear tractions.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "drivers/scene/scene.hpp"
-#include "mpm/setup/method.hpp"
+#include "mpm/grid/images.hpp"
 
 namespace assay::drivers {
+
+/// Of the motions in the unit box: faces at whole metres, and of the bar those along it, are symmetry planes; others
+/// bear tractions. Periodic ones as body.periodic says. Throws InputError where a plane is no line of the grid, or the
+/// body no whole number of periods.
+std::array<mpm::AxisEnds, 2> ends_of(const Scene& scene);
 
 /// Throws InputError where the corners of a box are not corners of the particles' domains.
 void require_surface(const Scene& scene);

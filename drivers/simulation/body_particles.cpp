@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/simulation/seeds.hpp"
-
+// The particles that a scene's body and lattice call for.
 #include <algorithm>
 #include <cmath>
 
 #include "drivers/scene/body_box.hpp"
-#include "drivers/simulation/body_ends.hpp"
+#include "drivers/simulation/body_faces.hpp"
+#include "drivers/simulation/problem.hpp"
 #include "mpm/seeding/gauss_lattice.hpp"
 #include "mpm/seeding/lattice.hpp"
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/simulation/body_faces.hpp"
+
+#include <cmath>
+
+#include "drivers/scene/body_box.hpp"
+#include "drivers/text/numbers.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr double nearly_whole = 1e-9;  ///< a number this close to a whole one is that one
+
+bool is_whole(double x) { return std::abs(x - std::round(x)) <= nearly_whole; }
+
+void require_node(const Scene& scene, double at, const std::string& key) {
+  const double h = scene.grid->spacing;
+  if (is_whole(at / h)) return;
+  refuse(scene, "grid.spacing",
+         key + " = " + rounded_text(at, 6) +
+             " is a symmetry plane or a periodic end, which must lie on a line of the grid: it is no multiple "
+             "of " +
+             rounded_text(h, 6));
+}
+
+void require_period(const Scene& scene, std::size_t d, const Box& box) {
+  const std::string fault = scene.motion->fault_of_period(d, box.upper[d] - box.lower[d]);
+  if (!fault.empty()) refuse(scene, "body.periodic", fault);
+}
+
+/// Where a body's stretch is looked at: anywhere where F is the same everywhere; along the faces of a box that bear
+/// tractions.
+std::vector<Vector3> places_of_stretch(const Scene& scene) {
+  if (scene.motion->is_homogeneous()) return {Vector3::Zero()};
+  constexpr int pieces = 4;
+  const auto ends = ends_of(scene);
+  std::vector<Vector3> places;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const std::size_t along = 1 - d;
+    for (const bool upper : {false, true}) {
+      if (upper ? ends[d].upper : ends[d].lower) continue;
+      for (int k = 0; k <= pieces; ++k) {
+        const double width = scene.body.upper[along] - scene.body.lower[along];
+        Vector3 X = Vector3::Zero();
+        X(static_cast<int>(d)) = upper ? scene.body.upper[d] : scene.body.lower[d];
+        X(static_cast<int>(along)) = scene.body.lower[along] + width * k / pieces;
+        places.push_back(X);
+      }
+    }
+  }
+  return places;
+}
+
+/// Of the two forms of a traction the one that keeps the exact motion stable: P N dA0 where the body is stretched,
+/// sigma n ds where it is compressed, on the mean of both principal directions where and when it is most deformed. On a
+/// ring P N dA0, which holds in both, and on a clipped lattice longer (measured).
+mpm::TractionForm stable_form(const Scene& scene) {
+  constexpr int looks = 200;
+  if (ring_of(scene.motion)) return mpm::TractionForm::reference;
+  double most = 0;
+  for (const Vector3& X : places_of_stretch(scene)) {
+    for (int k = 1; k <= looks; ++k) {
+      const Tensor F = scene.motion->at(X, scene.time.end * k / looks).F;
+      const double square = F.topLeftCorner<2, 2>().squaredNorm(), J = F.topLeftCorner<2, 2>().determinant();
+      const double stretch = 0.5 * std::sqrt(square + 2 * J) - 1;  // (lambda1 + lambda2)/2 - 1
+      if (std::abs(stretch) > std::abs(most)) most = stretch;
+    }
+  }
+  return most >= 0 ? mpm::TractionForm::reference : mpm::TractionForm::follower;
+}
+
+}  // namespace
+
+std::array<mpm::AxisEnds, 2> ends_of(const Scene& scene) {
+  std::array<mpm::AxisEnds, 2> ends;
+  if (ring_of(scene.motion)) return ends;
+  const Box box = body_box(scene);
+  for (std::size_t d = 0; d < 2; ++d) {
+    if (scene.body.is_periodic(d)) {
+      require_period(scene, d, box);
+      ends[d] = {box.lower[d], box.upper[d], true};
+    } else {
+      if (scene.motion->is_symmetry_plane(d, box.lower[d])) ends[d].lower = box.lower[d];
+      if (scene.motion->is_symmetry_plane(d, box.upper[d])) ends[d].upper = box.upper[d];
+    }
+    if (ends[d].lower) require_node(scene, *ends[d].lower, "body.lower");
+    if (ends[d].upper) require_node(scene, *ends[d].upper, "body.upper");
+  }
+  return ends;
+}
+
+void require_surface(const Scene& scene) {
+  const Body& body = scene.body;
+  if (ring_of(scene.motion)) {
+    if (!scene.motion->bears_tractions() || body.lattice == Body::Lattice::polar || body.cut == Body::Cut::clipped)
+      return;
+    refuse(scene, "body.cut",
+           "tractions act on the ring's faces, which whole cells do not follow: take clipped, or lattice: "
+           "polar");
+  }
+  const auto ends = ends_of(scene);
+  for (std::size_t d = 0; d < 2; ++d) {
+    const double particle = scene.grid->spacing / body.per_cell[d];
+    for (const bool upper : {false, true}) {
+      const double corner = upper ? body.upper[d] : body.lower[d], pieces = corner / particle;
+      if (upper ? ends[d].upper : ends[d].lower) continue;
+      if (std::abs(pieces - std::round(pieces)) <= nearly_whole * std::abs(pieces)) continue;
+      const std::string key = upper ? "body.upper" : "body.lower";
+      refuse(scene, key,
+             "tractions act on the edges of the particles' domains: the corners must be multiples of "
+             "grid.spacing / body.per_cell = " +
+                 rounded_text(particle, 6));
+    }
+  }
+}
+
+std::optional<mpm::Traction> traction_of(Scene& scene) {
+  if (!scene.motion->bears_tractions() || scene.force.response == ForceChoice::Response::none) return std::nullopt;
+  if (!scene.traction.form) scene.traction.form = stable_form(scene);
+  return mpm::Traction{scene.traction.algorithm, *scene.traction.form};
+}
+
+}  // namespace assay::drivers
