@@ -136,11 +136,9 @@ Json json_of(const CheckedMaterial& checked) {
   return out;
 }
 
-std::string written(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
 }  // namespace
 
-std::string check_json(const CheckedMaterial& checked) { return written(json_of(checked)); }
+std::string check_json(const CheckedMaterial& checked) { return json_document(json_of(checked)); }
 
 std::string check_json(const std::vector<CheckedMaterial>& all) {
   Json out;
@@ -150,7 +148,7 @@ std::string check_json(const std::vector<CheckedMaterial>& all) {
   out["verdict"] = any("fail") ? "fail" : any("error") ? "error" : "pass";
   out["materials"] = Json::array();
   for (const CheckedMaterial& checked : all) out["materials"].push_back(json_of(checked));
-  return written(out);
+  return json_document(out);
 }
 
 std::optional<CheckedMaterial> checked_of_json(const std::string& text) {

@@ -7,7 +7,6 @@
 
 #include "adapters/foreign/foreign_state.hpp"
 #include "drivers/check/check_foreign.hpp"
-#include "drivers/check/check_steps.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/march.hpp"
 #include "harness/check/state_variable.hpp"
@@ -106,21 +105,13 @@ class Search {
     return check::distance(check::rotated(Q_.transpose(), stress_in(found)), expected) / scale;
   }
 
-  static Tensor stress_in(const Answer& answer) {
-    Tensor stress;
-    for (int c = 0; c < 9; ++c) component(stress, c) = answer[stress_of_answer + static_cast<std::size_t>(c)];
-    return stress;
-  }
+  static Tensor stress_in(const Answer& answer) { return tensor_of(&answer[stress_of_answer]); }
 
   /// The bridge's own, and those that are said to be tensors.
   void turn_declared(std::vector<double>& state) const {
-    const assay_material& table = material_.table();
-    std::size_t at = 0;
-    for (std::uint32_t v = 0; v < table.state_count; ++v) {
-      const std::int32_t kind = table.state[v].kind;
-      if (kind != ASSAY_SCALAR && table.state[v].role == ASSAY_ROLE_PLAIN)
-        check::Variable(kind, &state[at]).turned(Q_).write(&state[at]);
-      at += static_cast<std::size_t>(components_of_kind(kind));
+    for (const check::StatePlace& place : check::state_of(material_.table())) {
+      if (place.kind != ASSAY_SCALAR && place.role == ASSAY_ROLE_PLAIN)
+        place.in(state).turned(Q_).write(&state[place.first]);
     }
   }
 

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "harness/material/checked_update.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
@@ -37,15 +36,6 @@ Tensor Space::equal_stretches(double amplitude, bool three, double difference) c
   Vector3 stretches(1 + amplitude, 1 + amplitude + difference, 1 + other - (three ? difference : 0));
   if (is_plane_) std::swap(stretches(1), stretches(2));
   return rotated(turn(0.7), stretches.asDiagonal());
-}
-
-Point stepped(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
-              const std::vector<double>& state0) {
-  double sigma[9];
-  Point end{Tensor::Zero(), std::vector<double>(state0.size())};
-  checked_update(material, 0, t, dt, 1, nine_of(F0).data(), nine_of(F1).data(), state0.data(), end.state.data(), sigma);
-  end.cauchy = tensor_of(sigma);
-  return end;
 }
 
 Point hold(const Material& material, double t, double length, const Tensor& F, Point from, int steps) {
@@ -87,13 +77,5 @@ std::vector<double> state_at_rest(const Material& material, double pressure, con
   for (const std::size_t c : {0u, 4u, 8u}) cauchy[c] = -pressure;
   return material.initial_state(1, cauchy, std::vector<double>{direction.x(), direction.y(), direction.z()});
 }
-
-std::array<double, 9> nine_of(const Tensor& A) {
-  std::array<double, 9> nine;
-  for (int c = 0; c < 9; ++c) nine[static_cast<std::size_t>(c)] = component(A, c);
-  return nine;
-}
-
-Tensor tensor_of(const double* nine) { return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(nine); }
 
 }  // namespace assay::check

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "harness/check/loading.hpp"
 #include "harness/check/tests.hpp"
 #include "harness/numeric/stable_norm.hpp"
 

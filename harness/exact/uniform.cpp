@@ -54,13 +54,7 @@ class UniformStress {
 
   Tensor by_update(double t) const {
     const Tensor F = path_.deformation_gradient(own_, t), I = Tensor::Identity();
-    double F0[9], F1[9], values[9];
-    for (int c = 0; c < 9; ++c) F0[c] = component(I, c), F1[c] = component(F, c);
-    std::vector<double> after(state_.size());
-    checked_update(*material_, own_, 0, t > 0 ? t : 1, 1, F0, F1, state_.data(), after.data(), values);
-    Tensor cauchy;
-    for (int c = 0; c < 9; ++c) component(cauchy, c) = values[c];
-    return first_piola_kirchhoff(cauchy, F);
+    return first_piola_kirchhoff(stepped(*material_, 0, t > 0 ? t : 1, I, F, state_, own_).cauchy, F);
   }
 
   std::shared_ptr<const Material> material_;

@@ -124,10 +124,9 @@ class Marcher {
   static void grow(double& largest, double value) { largest = std::max(largest, std::abs(value)); }
 
   bool step(double t, double dt, const Tensor& begin, const Tensor& end) {
-    double F0[9], F1[9];
-    for (int c = 0; c < 9; ++c) F0[c] = component(begin, c), F1[c] = component(end, c);
     try {
-      checked_update(material_, xi_, t, dt, 1, F0, F1, state0_.data(), state1_.data(), cauchy_.data());
+      checked_update(material_, xi_, t, dt, 1, nine_of(begin).data(), nine_of(end).data(), state0_.data(),
+                     state1_.data(), cauchy_.data());
     } catch (const MaterialFailure& failure) {
       if (failure.final) throw;
       return false;

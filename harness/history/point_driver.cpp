@@ -26,10 +26,8 @@ Histories integrate_histories(const Material& material, const Path& path, std::s
     for (std::size_t k = 0; k < times.size(); ++k) {
       const Tensor sigma = trail.cauchy(k),
                    tau = first_piola_kirchhoff(sigma, path.deformation_gradient(xi[p], times[k]));
-      for (std::size_t c = 0; c < 9; ++c) {
-        h.points[k].cauchy[c * n + p] = component(sigma, static_cast<int>(c));
-        h.tau[k][c * n + p] = component(tau, static_cast<int>(c));
-      }
+      put_tensor(sigma, h.points[k].cauchy.data(), n, p);
+      put_tensor(tau, h.tau[k].data(), n, p);
       for (std::size_t c = 0; c < states; ++c) h.points[k].state[c * n + p] = trail.row(k)[9 + c];
     }
     error[p] = trail.error;

@@ -134,13 +134,14 @@ const void* extension_of(const assay_material* table, const char* id) {
   return table->extension ? call_model(*table, "extension", table->extension, id) : nullptr;
 }
 
-Material::Material(const assay_material* table, const std::map<std::string, double>& parameters)
-    : Material(table, InDeclaredOrder{in_declared_order(*table, parameters)}) {}
+Material::Material(const assay_material* table, const std::map<std::string, double>& parameters, double pace)
+    : Material(table, InDeclaredOrder{in_declared_order(*table, parameters)}, pace) {}
 
-Material::Material(const assay_material* table, InDeclaredOrder parameters)
+Material::Material(const assay_material* table, InDeclaredOrder parameters, double pace)
     : table_(table),
       parameters_(std::move(parameters.values)),
       handed_over_(parameters_),
+      pace_(pace),
       self_(nullptr, destroy_instance) {
   for (std::uint32_t i = 0; i < table->state_count; ++i) {
     state_size_ += static_cast<std::size_t>(components_of_kind(table->state[i].kind));

@@ -27,21 +27,17 @@ struct FailedStep {
 /// Point p of a batch of n: F0, F1 9 * n, state0 state_size * n, component-major as in the ABI.
 inline FailedStep failed_step(double t, double dt, std::size_t n, std::size_t p, const double* F0, const double* F1,
                               const double* state0, std::size_t state_size) {
-  FailedStep step{t, dt, {}, {}, std::vector<double>(state_size)};
-  for (int c = 0; c < 9; ++c) {
-    component(step.F0, c) = F0[static_cast<std::size_t>(c) * n + p];
-    component(step.F1, c) = F1[static_cast<std::size_t>(c) * n + p];
-  }
+  FailedStep step{t, dt, tensor_at(F0, n, p), tensor_at(F1, n, p), std::vector<double>(state_size)};
   for (std::size_t c = 0; c < state_size; ++c) step.state0[c] = state0[c * n + p];
   return step;
 }
 
 /// Takes the step again.
 inline UpdateReport take_again(const Material& material, const FailedStep& step) {
-  double F0[9], F1[9], cauchy[9];
-  for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
+  double cauchy[9];
   std::vector<double> state1(step.state0.size());
-  return material.update(step.t, step.dt, 1, F0, F1, step.state0.data(), state1.data(), cauchy);
+  return material.update(step.t, step.dt, 1, nine_of(step.F0).data(), nine_of(step.F1).data(), step.state0.data(),
+                         state1.data(), cauchy);
 }
 
 /// A material refused a step, or returned a non-finite stress.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <array>
 
 namespace assay {
 
@@ -13,6 +14,26 @@ using Tensor = Eigen::Matrix3d;
 /// Component of a tensor by the row-major index 0..8 of the ABI (11,12,13,21,22,23,31,32,33).
 inline double component(const Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
 inline double& component(Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
+
+/// The nine components as the ABI has them, and back.
+inline std::array<double, 9> nine_of(const Tensor& A) {
+  std::array<double, 9> nine;
+  for (int c = 0; c < 9; ++c) nine[static_cast<std::size_t>(c)] = component(A, c);
+  return nine;
+}
+inline Tensor tensor_of(const double* nine) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(nine);
+}
+
+/// Of point p among n: [component][point].
+inline void put_tensor(const Tensor& A, double* all, std::size_t n, std::size_t p) {
+  for (std::size_t c = 0; c < 9; ++c) all[c * n + p] = component(A, static_cast<int>(c));
+}
+inline Tensor tensor_at(const double* all, std::size_t n, std::size_t p) {
+  Tensor A;
+  for (std::size_t c = 0; c < 9; ++c) component(A, static_cast<int>(c)) = all[c * n + p];
+  return A;
+}
 
 /// Whether the index 0..8 is one of 11, 12, 21, 22 and 33, which a motion in the plane 12 has.
 inline bool is_in_plane(int index) { return index == 8 || (index / 3 != 2 && index % 3 != 2); }

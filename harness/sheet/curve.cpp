@@ -34,17 +34,11 @@ double rest_of(std::span<const double> coefficients) {
 std::vector<double> tau_of_eps(const Material& material, const Path& loading, std::span<const double> eps) {
   const std::size_t n = eps.size();
   std::vector<double> all(9 * n);
-  std::vector<double> state0 = material.initial_state(1, {}, loading.material_direction), state1(state0.size());
-  double F0[9], F1[9], cauchy[9];
-  for (int c = 0; c < 9; ++c) F0[c] = c % 4 == 0 ? 1 : 0;
+  const std::vector<double> state0 = material.initial_state(1, {}, loading.material_direction);
   for (std::size_t p = 0; p < n; ++p) {
     const Tensor F = loading.deformation_gradient(eps[p], 1);
-    for (int c = 0; c < 9; ++c) F1[c] = component(F, c);
-    checked_update(material, eps[p], 0, 1, 1, F0, F1, state0.data(), state1.data(), cauchy);
-    Tensor sigma;
-    for (int c = 0; c < 9; ++c) component(sigma, c) = cauchy[c];
-    const Tensor tau = first_piola_kirchhoff(sigma, F);
-    for (std::size_t c = 0; c < 9; ++c) all[c * n + p] = component(tau, static_cast<int>(c));
+    const Tensor sigma = stepped(material, 0, 1, Tensor::Identity(), F, state0, eps[p]).cauchy;
+    put_tensor(first_piola_kirchhoff(sigma, F), all.data(), n, p);
   }
   return all;
 }

@@ -122,10 +122,8 @@ std::vector<std::vector<double>> StabilityProbe::settled_states(double xi, doubl
   if (size == 0) return settled;
   std::vector<double> F0(9 * n), F1(9 * n), cauchy(9 * n), before(size * n), after(size * n);
   for (std::size_t p = 0; p < n; ++p) {
-    for (std::size_t c = 0; c < 9; ++c) {
-      F0[c * n + p] = component(steps[p].F0, static_cast<int>(c));
-      F1[c * n + p] = component(steps[p].F1, static_cast<int>(c));
-    }
+    put_tensor(steps[p].F0, F0.data(), n, p);
+    put_tensor(steps[p].F1, F1.data(), n, p);
     for (std::size_t c = 0; c < size; ++c) before[c * n + p] = steps[p].state0[c];
   }
   checked_update(material_, xi, t, dt, n, F0.data(), F1.data(), before.data(), after.data(), cauchy.data());

@@ -25,22 +25,15 @@ struct ProbedBatch {
     for (std::size_t p = 0; p < n; ++p) {
       const ProbedStep& step = steps[p / sides];
       const std::size_t side = p % sides;
-      for (std::size_t c = 0; c < 9; ++c) {
-        const bool moved = c == side / 2 && material.takes(static_cast<int>(c));
-        before[c * n + p] = component(step.F0, static_cast<int>(c));
-        after[c * n + p] = component(step.F1, static_cast<int>(c)) + (moved ? (side % 2 ? size : -size) : 0);
-      }
+      put_tensor(step.F0, before.data(), n, p);
+      put_tensor(step.F1, after.data(), n, p);
+      if (material.takes(static_cast<int>(side / 2))) after[side / 2 * n + p] += side % 2 ? size : -size;
       for (std::size_t c = 0; c < material.state_size(); ++c) state0[c * n + p] = step.state0[c];
     }
   }
 
   Tensor stress(std::size_t p) const {
-    Tensor sigma, F;
-    for (std::size_t c = 0; c < 9; ++c) {
-      component(sigma, static_cast<int>(c)) = cauchy[c * n + p];
-      component(F, static_cast<int>(c)) = after[c * n + p];
-    }
-    return first_piola_kirchhoff(sigma, F);
+    return first_piola_kirchhoff(tensor_at(cauchy.data(), n, p), tensor_at(after.data(), n, p));
   }
 
   /// Of the step whose points begin there.
