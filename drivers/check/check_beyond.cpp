@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/material/material_description.hpp"
-#include "harness/check/arrays.hpp"
 
 namespace assay::drivers {
 

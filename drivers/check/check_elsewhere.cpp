@@ -7,9 +7,6 @@
 #include <csignal>
 #include <exception>
 #include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
 #include <system_error>
 
 #include "adapters/foreign/foreign_table.hpp"

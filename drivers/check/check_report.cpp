@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/check/check_report.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "drivers/output/junit.hpp"
@@ -211,20 +210,14 @@ std::string class_of(const CheckedMaterial& checked) {
 }
 
 JunitCase test_case(const CheckedMaterial& checked, const TestResult& test, const std::string& classname) {
-  JunitCase out{classname, test.id, test.wall_s};
-  if (test.verdict == Verdict::pass) return out;
-  if (test.verdict == Verdict::not_applicable) {
-    out.kind = JunitCase::Kind::skipped;
-    out.message = test.sentence;
-    return out;
-  }
+  using enum JunitCase::Kind;
+  if (test.verdict == Verdict::pass) return {classname, test.id, test.wall_s};
+  if (test.verdict == Verdict::not_applicable) return {classname, test.id, test.wall_s, skipped, test.sentence};
   const auto replay = checked.replays.find(test.id);
-  out.kind = JunitCase::Kind::failure;
-  out.message = test.cause + ": " + test.sentence;
-  out.type = test.cause;
-  out.text = "measured " + measured_text(test.measure) + ", at most " + measured_text(test.threshold) +
-             (replay == checked.replays.end() ? "" : "; again: assay check --replay " + replay->second);
-  return out;
+  const std::string figures =
+      "measured " + measured_text(test.measure) + ", at most " + measured_text(test.threshold) +
+      (replay == checked.replays.end() ? "" : "; again: assay check --replay " + replay->second);
+  return {classname, test.id, test.wall_s, failure, test.cause + ": " + test.sentence, test.cause, figures};
 }
 
 JunitSuite suite(const CheckedMaterial& checked, const std::string& given) {

@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "adapters/foreign/foreign_state.hpp"
 #include "drivers/check/check_foreign.hpp"

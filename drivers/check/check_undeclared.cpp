@@ -2,7 +2,6 @@
 // What the description of a model leaves open: whether it depends on the rate, whether it has directions of its own,
 // and which numbers of its state are tensors.
 #include <algorithm>
-#include <utility>
 
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/foreign_table.hpp"

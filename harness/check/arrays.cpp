@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <string>
 #include <utility>
 
 #include "harness/check/call_steps.hpp"

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <deque>
-#include <functional>
 #include <thread>
 #include <utility>
 

@@ -2,7 +2,6 @@
 // That the stress follows small changes of the deformation, and steps so short that their strain looks like none.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "harness/check/samples.hpp"

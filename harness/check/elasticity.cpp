@@ -4,13 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
-#include <optional>
 #include <utility>
-#include <vector>
 
-#include "harness/check/specimen.hpp"
 #include "harness/check/stiffness.hpp"
 #include "harness/check/tests.hpp"
 

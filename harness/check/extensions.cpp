@@ -2,7 +2,6 @@
 // The optional abilities of a model, against the stress of `update`: energy, rate, wave speed, closed form.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "harness/check/samples.hpp"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "harness/check/tests.hpp"
 #include "harness/numeric/stable_norm.hpp"

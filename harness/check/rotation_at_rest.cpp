@@ -2,7 +2,6 @@
 // What a rotation does to a body at rest, to one under an initial stress, and to the state of one that is stretched.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "harness/check/frame_twins.hpp"
 #include "harness/check/state_variable.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 #include "harness/check/samples.hpp"
 #include "harness/check/tangents.hpp"
