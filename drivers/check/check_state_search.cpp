@@ -8,7 +8,7 @@
 #include "drivers/check/check_foreign.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/march.hpp"
-#include "harness/check/state_variable.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::drivers {
 
@@ -27,9 +27,9 @@ void turn(Kind kind, const Tensor& Q, double* components) {
   const double shear = kind == Kind::strain   ? 1 / adapters::engineering_shear
                        : kind == Kind::mandel ? 1 / adapters::mfront_shear
                                               : 1;
-  const check::Variable read(plain, components);
-  const check::Variable turned = read.with(check::sheared(read.value(), shear)).turned(Q);
-  turned.with(check::sheared(turned.value(), 1 / shear)).write(components);
+  const Variable read(plain, components);
+  const Variable turned = read.with(sheared(read.value(), shear)).turned(Q);
+  turned.with(sheared(turned.value(), 1 / shear)).write(components);
 }
 
 class Search {
@@ -108,7 +108,7 @@ class Search {
 
   /// The bridge's own, and those that are said to be tensors.
   void turn_declared(std::vector<double>& state) const {
-    for (const check::StatePlace& place : check::state_of(material_.table())) {
+    for (const StatePlace& place : assay::state_of(material_.table())) {
       if (place.kind != ASSAY_SCALAR && place.role == ASSAY_ROLE_PLAIN)
         place.in(state).turned(Q_).write(&state[place.first]);
     }

@@ -17,7 +17,7 @@
 #include "drivers/system/input_file.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/sha256.hpp"
-#include "harness/check/state_variable.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::drivers {
 
@@ -41,7 +41,7 @@ std::string step_text(const assay_material& table, const FailedStep& step) {
   std::string text = line_of("t", yaml_number(step.t)) + line_of("dt", yaml_number(step.dt)) +
                      line_of("F0", tensor_text(step.F0)) + line_of("F1", tensor_text(step.F1)) +
                      (table.state_count == 0 ? "state0: {}\n" : "state0:\n");
-  for (const check::StatePlace& place : check::state_of(table)) {
+  for (const StatePlace& place : assay::state_of(table)) {
     const auto values = std::span(step.state0).subspan(place.first, place.size);
     text += "  " + line_of(yaml_scalar(place.name), place.size == 1 ? yaml_number(values[0]) : list_of(values));
   }
@@ -112,11 +112,11 @@ std::vector<double> state_of(const Tree& root, const assay_material& table) {
   const Tree& tree = required(root, "", "state0");
   std::vector<double> state;
   std::vector<std::string> names;
-  const std::vector<check::StatePlace> places = check::state_of(table);
-  for (const check::StatePlace& place : places) names.emplace_back(place.name);
+  const std::vector<StatePlace> places = assay::state_of(table);
+  for (const StatePlace& place : places) names.emplace_back(place.name);
   require_map(tree, "state0", joined(names));
   refuse_unknown_keys(tree, "state0", names);
-  for (const check::StatePlace& place : places)
+  for (const StatePlace& place : places)
     append_numbers(required(tree, "state0", place.name), std::string("state0.") + place.name, place.size, state);
   return state;
 }

@@ -9,7 +9,7 @@
 
 #include "harness/check/call_steps.hpp"
 #include "harness/check/judge.hpp"
-#include "harness/check/state_variable.hpp"
+#include "harness/material/state_variable.hpp"
 #include "harness/material/thrown.hpp"
 #include "harness/numeric/arithmetic.hpp"
 

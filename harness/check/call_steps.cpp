@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "harness/check/state_variable.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::check {
 

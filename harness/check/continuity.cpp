@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "harness/check/samples.hpp"
-#include "harness/check/state_variable.hpp"
 #include "harness/check/tests.hpp"
+#include "harness/material/state_variable.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "harness/check/samples.hpp"
-#include "harness/check/state_variable.hpp"
 #include "harness/check/tests.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::check {
 

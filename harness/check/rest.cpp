@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/check/state_variable.hpp"
 #include "harness/check/tests.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::check {
 

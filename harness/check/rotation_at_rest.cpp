@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "harness/check/frame_twins.hpp"
-#include "harness/check/state_variable.hpp"
 #include "harness/check/stiffness.hpp"
 #include "harness/check/tests.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::check {
 
