@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The source behind drivers/check/causes_page.hpp: docs/causes.md as a text.
+# The source of causes_page() (drivers/check/check.hpp): docs/causes.md as a text.
 set(causes_page ${PROJECT_SOURCE_DIR}/docs/causes.md)
 set(embed_page ${PROJECT_SOURCE_DIR}/cmake/embed_page.cmake)
 add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/generated/causes_page.cpp

@@ -4,7 +4,7 @@
 file(READ ${PAGE} text)
 string(REPLACE "\n## " "\n)page\",\n      R\"page(## " text "${text}")
 file(WRITE ${OUTPUT} "// Generated.
-#include \"drivers/check/causes_page.hpp\"
+#include \"drivers/check/check.hpp\"
 
 #include <string>
 

@@ -48,6 +48,8 @@ class GuardedArrays {
     std::string array;
     std::size_t size;      ///< of the array
     std::ptrdiff_t index;  ///< counted from 1: above `size`, or below 1
+
+    friend void fields(auto& archive, Beyond& b) { archive(b.array, b.size, b.index); }
   };
   Beyond place_of(std::size_t word) const;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/causes_page.hpp"
-
+// What the causes mean that a check can name, for a terminal.
 #include <algorithm>
 #include <span>
 #include <sstream>
 
+#include "drivers/check/check.hpp"
 #include "drivers/format/yaml_lines.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/terminal.hpp"

@@ -45,7 +45,7 @@ using Again = std::function<CheckedMaterial(const CheckSettings&)>;
 /// In workers the end of a foreign model's process is a refusal, and so it is of an F that is no number: the rest is
 /// judged without that test.
 void take_end_for_refusal(CheckedMaterial& checked, CheckSettings settings, const Again& again) {
-  constexpr const char* senseless = "calls.senseless";
+  using check::ids::senseless;
   const std::vector<check::Diagnosis>& found = checked.report.diagnosis;
   const bool ended = !checked.description.empty() && found.size() == 1 &&
                      found.front().cause == check::causes::ends_process && checked.report.tests.back().id == senseless;
@@ -60,7 +60,7 @@ void take_end_for_refusal(CheckedMaterial& checked, CheckSettings settings, cons
 /// A model that dies in the first test by reading or writing an address, and does not where its arrays begin at
 /// multiples of 64 bytes, asks for an alignment that nobody promises.
 void tell_alignment(CheckedMaterial& checked, CheckSettings settings, const Again& again) {
-  constexpr const char* first = "calls.arrays";
+  constexpr auto first = check::ids::arrays;
   check::Report& report = checked.report;
   const bool asked = report.diagnosis.size() == 1 && report.diagnosis.front().cause == check::causes::overrun &&
                      report.tests.back().id == first && !report.tests.back().measure;
@@ -78,15 +78,43 @@ void tell_alignment(CheckedMaterial& checked, CheckSettings settings, const Agai
   report.diagnosis.front() = {test.cause, test.sentence};
 }
 
-/// What the process of the check cannot find out about itself.
-void judge_from_outside(CheckedMaterial& checked, const CheckSettings& settings, const CheckProcesses& how,
-                        const std::function<CheckTask(const CheckSettings&)>& task_of) {
-  const Again again = [&](const CheckSettings& other) { return check_in_processes({task_of(other)}, how).front(); };
-  take_end_for_refusal(checked, settings, again);
-  tell_alignment(checked, settings, again);
-  judge_components(checked, settings.effort, how);
-  judge_printing(checked);
-  leave_replay_of_the_end(checked, settings);
+/// What is to be done with the k-th of them.
+using TaskOf = std::function<CheckTask(std::size_t k, const CheckSettings&)>;
+
+/// So many materials, and then what the process of a check cannot find out about itself.
+std::vector<CheckedMaterial> check_each(const CheckOptions& options, std::size_t count, const TaskOf& task_of) {
+  watch_interrupts();
+  const CheckSettings settings = settings_of(options);
+  const CheckProcesses quiet = processes_for(options);
+  std::vector<CheckTask> tasks;
+  for (std::size_t k = 0; k < count; ++k) tasks.push_back(task_of(k, settings));
+  Progress progress("check", options.verbosity == Verbosity::quiet);
+  const auto tell = [&progress](std::size_t done, std::size_t all, const std::string& what) {
+    progress.update(std::min(1.0, static_cast<double>(done) / static_cast<double>(all)), what);
+  };
+  CheckProcesses how = quiet;
+  if (options.all) {
+    how.progress = [&](std::size_t done) {
+      tell(done, count, std::to_string(done) + " of " + std::to_string(count) + " materials");
+    };
+  } else {
+    how.at_work = [&](std::size_t begun, const std::string& test) {
+      tell(begun, check::test_ids().size() + 2, test);  // and the process, and the vortex
+    };
+  }
+  std::vector<CheckedMaterial> all = check_in_processes(tasks, how);
+  progress.finish();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Again again = [&](const CheckSettings& other) {
+      return check_in_processes({task_of(k, other)}, quiet).front();
+    };
+    take_end_for_refusal(all[k], settings, again);
+    tell_alignment(all[k], settings, again);
+    judge_components(all[k], settings.effort, quiet);
+    judge_printing(all[k]);
+    leave_replay_of_the_end(all[k], settings);
+  }
+  return all;
 }
 
 CheckedMaterial check_one(const CheckOptions& options) {
@@ -94,53 +122,26 @@ CheckedMaterial check_one(const CheckOptions& options) {
   refuse_inputs_as_outputs(options);  // before a source is compiled and its description written
   const ResolvedMaterial resolved = material_to_check(options);
   refuse_inputs_as_outputs(options);
-  watch_interrupts();
-  const CheckSettings settings = settings_of(options);
-  const auto task_of = [&](const CheckSettings& how) {
+  const auto task_of = [&](std::size_t, const CheckSettings& how) {
     return CheckTask{options.material,
                      [&options, &resolved, how](const CheckReporter& reporter) {
                        return check_material(in_this_process(resolved), options.material, how, reporter);
                      },
                      adapters::start_of(&resolved.material.table()).limits, how.effort.strain_is_asked};
   };
-  Progress progress("check", options.verbosity == Verbosity::quiet);
-  CheckProcesses how = processes_for(options);
-  how.at_work = [&progress](std::size_t begun, const std::string& test) {
-    const auto all = static_cast<double>(check::test_ids().size() + 2);  // and the process, and the vortex
-    progress.update(std::min(1.0, static_cast<double>(begun) / all), test);
-  };
-  CheckedMaterial checked = check_in_processes({task_of(settings)}, how).front();
-  progress.finish();
-  judge_from_outside(checked, settings, processes_for(options), task_of);
-  return checked;
+  return check_each(options, 1, task_of).front();
 }
 
 std::vector<CheckedMaterial> check_all(const CheckOptions& options) {
   const std::map<std::string, double> given = parameters_in(options.parameters);
-  const CheckSettings settings = settings_of(options);
   const std::vector<RegisteredName> names = registered_names();
-  watch_interrupts();
-  const auto task_of = [&given](const RegisteredName& registered, const CheckSettings& how) {
+  return check_each(options, names.size(), [&](std::size_t k, const CheckSettings& how) {
+    const RegisteredName& registered = names[k];
     return CheckTask{registered.name, [&given, registered, how](const CheckReporter& reporter) {
                        const std::string& file = registered.file.empty() ? registered.name : registered.file;
                        return check_material(registered_material(file, given), registered.name, how, reporter);
                      }};
-  };
-  std::vector<CheckTask> tasks;
-  for (const RegisteredName& registered : names) tasks.push_back(task_of(registered, settings));
-  Progress progress("check", options.verbosity == Verbosity::quiet);
-  CheckProcesses how = processes_for(options);
-  how.progress = [&](std::size_t done) {
-    progress.update(static_cast<double>(done) / static_cast<double>(tasks.size()),
-                    std::to_string(done) + " of " + std::to_string(tasks.size()) + " materials");
-  };
-  std::vector<CheckedMaterial> all = check_in_processes(tasks, how);
-  progress.finish();
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    judge_from_outside(all[k], settings, processes_for(options),
-                       [&](const CheckSettings& other) { return task_of(names[k], other); });
-  }
-  return all;
+  });
 }
 
 /// No verdict is given where the system may be to blame.

@@ -4,6 +4,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "drivers/material/material_choice.hpp"
 #include "drivers/material/source_options.hpp"
@@ -54,5 +56,20 @@ ResolvedMaterial material_to_check(const CheckOptions& options);
 
 /// At what its author shows it, where its parameters have no default; `given` before all, as far as it takes them.
 ResolvedMaterial registered_material(const std::string& name, const std::map<std::string, double>& given);
+
+// What the causes mean that a check can name: docs/causes.md, which the build puts into the program.
+
+/// The whole page, as written.
+std::string_view causes_page();
+
+/// The causes that the page has a section for, in its order.
+std::vector<std::string> explained_causes();
+
+/// The section of a cause for a terminal of 80 columns: its name, paragraphs that are wrapped, lists and code; empty
+/// where the page has none.
+std::string explained_cause(const std::string& cause);
+
+/// `check --explain CAUSE`: prints that section; for "all" the list of causes. Throws InputError.
+int explain_cause(const std::string& cause);
 
 }  // namespace assay::drivers

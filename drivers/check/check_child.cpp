@@ -19,7 +19,6 @@
 #include "drivers/system/own_files.hpp"
 #include "drivers/system/supervisor.hpp"
 #include "harness/material/own_process.hpp"
-#include "harness/material/progress_mark.hpp"
 
 namespace assay::drivers {
 

@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "adapters/foreign/foreign_table.hpp"
-#include "drivers/check/check_elsewhere.hpp"
 #include "drivers/check/check_foreign.hpp"
-#include "drivers/check/check_steps.hpp"
 #include "drivers/material/material_description.hpp"
 
 namespace assay::drivers {
@@ -67,7 +65,7 @@ Fills filled_by(const Described& described, const std::map<std::string, double>&
                 stress_of(material, shear_13)};
       },
       limit_s);
-  if (!rows || rows->size() != 4) return Fills::unknown;
+  if (!rows) return Fills::unknown;
   const Stress &of_11 = (*rows)[0], &of_33 = (*rows)[1], &of_12 = (*rows)[2], &of_13 = (*rows)[3];
   if (is_of_plane_stress(of_11, of_33, of_12)) return Fills::plane_stress;
   // One whose 13 and 23 are exchanged fills six, too.
@@ -89,7 +87,7 @@ CheckedMaterial with_four(const CheckedMaterial& checked, const Described& descr
     check::Options options{.effort = effort, .begins = reporter.begins};
     options.effort.quick = true;
     found.report = check::run_battery(made_for_tests(model, parameters), options);
-    if (model.flags_are_said || !failed_test(found.report, "clock")) return found;
+    if (model.flags_are_said || !failed_test(found.report, check::ids::clock)) return found;
     model.flags |= ASSAY_RATE_DEPENDENT;
     check::Report of_rate = check::run_battery(made_for_tests(model, parameters), options);
     if (settles_rate(of_rate, found.report)) found.report = std::move(of_rate);

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "drivers/check/check_elsewhere.hpp"
 #include "drivers/check/check_foreign.hpp"
-#include "drivers/check/check_steps.hpp"
 #include "harness/check/march.hpp"
 
 namespace assay::drivers {
@@ -79,7 +77,7 @@ bool keeps_state_by_element(const ResolvedMaterial& material, double strain, dou
         return {of(2, 3, false), of(7, 8, false), of(4, 5, true), of(6, 6, true)};  // that no test has used
       },
       limit_s);
-  if (!rows || rows->size() != 4) return false;
+  if (!rows) return false;
   const auto& all = *rows;
   return same_answer(all[0], all[1]) && same_answer(all[0], all[2]) && !same_answer(all[0], all[3]);
 }

@@ -1,51 +1,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_elsewhere.hpp"
-
+// Steps to be taken again, and what a model does in a process that begins in another way.
 #include <fcntl.h>
 #include <unistd.h>
-
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <exception>
 #include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
 #include <system_error>
 
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/process/kept_process.hpp"
+#include "drivers/check/check_foreign.hpp"
 #include "drivers/system/own_files.hpp"
+#include "harness/check/march.hpp"
 #include "harness/material/own_process.hpp"
 #include "harness/material/progress_mark.hpp"
 
 namespace assay::drivers {
 
+Answer answer_of(const Material& material, const FailedStep& step, UpdateReport* said) {
+  Answer answer(state_of_answer + step.state0.size());
+  const UpdateReport report =
+      material.update(step.t, step.dt, 1, nine_of(step.F0).data(), nine_of(step.F1).data(), step.state0.data(),
+                      answer.data() + state_of_answer, answer.data() + stress_of_answer);
+  answer[0] = report.worst;
+  if (said) *said = report;
+  return answer;
+}
+
+double largest_stress(const Answer& answer) {
+  double largest = 0;
+  for (std::size_t c = stress_of_answer; c < state_of_answer; ++c) {
+    if (std::isfinite(answer[c])) largest = std::max(largest, std::abs(answer[c]));
+  }
+  return largest;
+}
+
+bool same_answer(const Answer& a, const Answer& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+std::vector<RepeatedStep> repeated_steps(const Material& material, double strain, double pressure, int count) {
+  const check::Space space(material);
+  const auto F = [&](int k) {
+    const double s = static_cast<double>(k) / count;
+    return Tensor(space.turn(1.3 * s) * space.stretch(strain, s));
+  };
+  std::vector<RepeatedStep> steps;
+  std::vector<double> state = check::state_at_rest(material, pressure);
+  const double dt = 1.0 / count;
+  for (int k = 0; k < count; ++k) {
+    steps.push_back({{k * dt, dt, F(k), F(k + 1), state}, k == 0});
+    const Answer answer = answer_of(material, steps.back());
+    if (!is_good(answer)) break;
+    state = state_in(answer);
+  }
+  return steps;
+}
+
 namespace {
-
-using Maker = std::function<check::History()>;
-
-/// Row by row, each after its length.
-std::string bytes_of(const check::History& rows) {
-  std::vector<double> all;
-  for (const auto& row : rows) {
-    all.push_back(static_cast<double>(row.size()));
-    all.insert(all.end(), row.begin(), row.end());
-  }
-  return {reinterpret_cast<const char*>(all.data()), all.size() * sizeof(double)};
-}
-
-check::History rows_of(const std::string& bytes) {
-  std::vector<double> all(bytes.size() / sizeof(double));
-  std::copy_n(bytes.data(), all.size() * sizeof(double), reinterpret_cast<char*>(all.data()));
-  check::History rows;
-  for (auto at = all.begin(); at != all.end();) {
-    const auto begin = at + 1, end = begin + static_cast<std::ptrdiff_t>(*at);
-    rows.emplace_back(begin, end);
-    at = end;
-  }
-  return rows;
-}
 
 /// What it prints is nobody's, and neither is its end.
 void fall_silent() {
@@ -59,18 +74,23 @@ void fall_silent() {
 
 }  // namespace
 
-std::optional<check::History> made_elsewhere(const Maker& make, double limit_s) {
+std::optional<std::vector<double>> numbers_made_elsewhere(const std::function<std::vector<double>()>& make,
+                                                          double limit_s) {
   const auto body = [&] {
     fall_silent();
     try {
-      return bytes_of(make());
+      const std::vector<double> numbers = make();
+      return std::string(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
     } catch (const std::exception&) {
       adapters::leave_now(1);
     }
   };
   try {
     const adapters::Forked found = adapters::in_a_child(body, {.patience_s = limit_s, .apart = true});
-    if (found.returned) return rows_of(found.text);
+    if (!found.returned) return std::nullopt;
+    std::vector<double> numbers(found.text.size() / sizeof(double));
+    std::copy_n(found.text.data(), numbers.size() * sizeof(double), reinterpret_cast<char*>(numbers.data()));
+    return numbers;
   } catch (const std::system_error&) {  // no process can be made
   }
   return std::nullopt;
@@ -111,7 +131,7 @@ check::History history_of_others(const ResolvedMaterial& material, const check::
   std::filesystem::copy_file(material.library, copy, code);
   check::History found;
   if (!code) {
-    const Maker make = [&] {
+    const auto make = [&] {
       return check::history(made_of(material, copy.string()), check::amplitudes_of_first(effort).back());
     };
     found = made_elsewhere(make, limit_s).value_or(check::History());

@@ -19,8 +19,6 @@ namespace {
 using adapters::ForeignInterface;
 using adapters::ForeignModel;
 
-constexpr const char* tangent_test = "tangent";
-
 /// Whether variables of the state are called s1, s2 ... for their places.
 bool counts_state(const ForeignModel& model) {
   std::size_t at = 0;
@@ -37,16 +35,10 @@ bool counts_state(const ForeignModel& model) {
 /// The test of the tangent with that description.
 std::optional<check::TestResult> tangent_with(const ForeignModel& model, const ResolvedMaterial& material,
                                               const check::Report& before) {
-  try {
-    const Material other = made_for_tests(model, material.choice.parameters);
-    check::Report report = check::run_battery(
-        other, {.effort = before.effort, .only = tangent_test, .declarations = declarations_of(material)});
-    const check::TestResult* const test = test_of(report, tangent_test);
-    const bool is_told = test && (report.passes() || test->verdict == check::Verdict::fail);
-    return is_told ? std::optional(*test) : std::nullopt;
-  } catch (const std::runtime_error&) {
-    return std::nullopt;
-  }
+  const auto report = battery_as(model, material, before.effort, check::ids::tangent);
+  const check::TestResult* const test = report ? test_of(*report, check::ids::tangent) : nullptr;
+  const bool is_told = test && (report->passes() || test->verdict == check::Verdict::fail);
+  return is_told ? std::optional(*test) : std::nullopt;
 }
 
 bool passes(const std::optional<check::TestResult>& test) { return test && test->verdict == check::Verdict::pass; }
@@ -146,6 +138,16 @@ Material made_for_tests(const ForeignModel& model, const std::map<std::string, d
   return made;
 }
 
+std::optional<check::Report> battery_as(const ForeignModel& model, const ResolvedMaterial& material,
+                                        const check::Effort& effort, const std::string& only) {
+  try {
+    const Material made = made_for_tests(model, material.choice.parameters);
+    return check::run_battery(made, {.effort = effort, .only = only, .declarations = declarations_of(material)});
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
 bool is_native(const CheckedMaterial& checked) {
   if (!checked.description.empty()) return !read_description(checked.description).foreign;
   return checked.library.empty() || adapters::mfront_behaviours(checked.library).empty();
@@ -175,7 +177,7 @@ std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material) {
 
 void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& report) {
   using namespace check::causes;
-  check::TestResult* const test = failed_test(report, tangent_test);
+  check::TestResult* const test = failed_test(report, check::ids::tangent);
   if (!test || !is_of(material, ForeignInterface::umat)) return;
   const std::string before = test->sentence;
   if (diagnosed(report, {rotation_missing, wrong_spin, state_not_rotated, not_indifferent, explicit_spin})) {

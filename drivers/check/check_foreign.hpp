@@ -7,15 +7,81 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "adapters/foreign/host_values.hpp"
 #include "drivers/check/check_process.hpp"
 #include "drivers/material/material_choice.hpp"
+#include "harness/check/arrays.hpp"
+#include "harness/material/material_failure.hpp"
+#include "harness/numeric/number_archive.hpp"
 
 namespace assay::drivers {
 
 inline constexpr const char *beyond_test = "calls.beyond", *host_test = "calls.host";
+
+// Steps in the middle of histories, to be taken again in other circumstances.
+
+struct RepeatedStep : FailedStep {
+  bool first = false;  ///< of its history
+};
+
+/// What a step gives: its status, the nine components of the stress [Pa], the state.
+using Answer = std::vector<double>;
+inline constexpr std::size_t stress_of_answer = 1, state_of_answer = 10;
+
+/// said: what the material says of the step.
+Answer answer_of(const Material& material, const FailedStep& step, UpdateReport* said = nullptr);
+
+inline bool is_good(const Answer& answer) { return static_cast<int>(answer[0]) != ASSAY_FAILED; }
+inline Answer state_in(const Answer& answer) { return {answer.begin() + state_of_answer, answer.end()}; }
+
+/// The largest finite component of the stress [Pa]; 0 where none is.
+double largest_stress(const Answer& answer);
+
+/// Bit for bit, but that one number that is none is as good as another.
+bool same_answer(const Answer& a, const Answer& b);
+
+/// Of a body that turns while it is strained out, back and beyond, from rest under a pressure [Pa]; up to the first
+/// that the material does not take. The first is from rest. Throws std::runtime_error where it cannot be at rest.
+std::vector<RepeatedStep> repeated_steps(const Material& material, double strain, double pressure, int count);
+
+// What a model does in a process that begins in another way: one that keeps something of its first call shows it.
+
+/// Numbers that `make` gives in a process of its own, which what it does cannot harm; none where that ends before it
+/// has given them, or takes longer than limit_s.
+std::optional<std::vector<double>> numbers_made_elsewhere(const std::function<std::vector<double>()>& make,
+                                                          double limit_s);
+
+/// The same of anything that numbers can tell (harness/numeric/number_archive.hpp).
+template <class Make>
+std::optional<std::invoke_result_t<Make>> made_elsewhere(const Make& make, double limit_s) {
+  const auto numbers_of = [&] {
+    auto made = make();
+    NumberWriter writer;
+    writer(made);
+    return std::move(writer.numbers);
+  };
+  std::optional<std::invoke_result_t<Make>> found;
+  const auto numbers = numbers_made_elsewhere(numbers_of, limit_s);
+  if (!numbers) return found;
+  NumberReader reader(*numbers);
+  reader(found.emplace());
+  return found;
+}
+
+/// The last of the battery's first histories, as the first of a process of its own; empty where that comes to nothing
+/// within limit_s. For a process that has not called the model yet.
+check::History history_elsewhere(const Material& material, const check::Effort& effort, double limit_s = 1);
+
+/// The same of other parameters (harness/check/arrays.hpp), from a copy of the library whose first instance has these:
+/// a library that was loaded before may keep what its first instance was. Empty, too, of a model that is no native
+/// plug-in.
+check::History history_of_others(const ResolvedMaterial& material, const check::Effort& effort, double limit_s = 1);
+
+// Models behind a foreign interface.
 
 /// The handle on what a bridge's host tells; null of what is no bridge.
 const adapters::HostAccess* host_of(const Material& material);
@@ -35,6 +101,10 @@ inline bool is_of(const ResolvedMaterial& material, adapters::ForeignInterface i
 
 /// Whether it was a model of our own interface, to which its rules apply.
 bool is_native(const CheckedMaterial& checked);
+
+/// The battery of the same model by another description of it, or the test `only`; none where it cannot be made so.
+std::optional<check::Report> battery_as(const adapters::ForeignModel& model, const ResolvedMaterial& material,
+                                        const check::Effort& effort, const std::string& only = {});
 
 /// How the author of the model declares things; of a native model as the ABI does.
 check::Declarations declarations_of(const ResolvedMaterial& material);
@@ -56,7 +126,10 @@ struct ForeignFinding {
 struct Beyonds {
   std::vector<adapters::GuardedArrays::Beyond> read, written;
   std::vector<std::ptrdiff_t> left_at_times = {};  ///< of stateNew: written in some steps, and not in others
+  bool any = false;                                ///< of these, wherever
 };
+
+void fields(auto& archive, Beyonds& b) { archive(b.read, b.written, b.left_at_times, b.any); }
 
 /// For a process that has not called the model yet, which is called in others alone. Nothing for an interface that
 /// tells how much it hands over.

@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "adapters/foreign/foreign_state.hpp"
-#include "drivers/check/check_elsewhere.hpp"
 #include "drivers/check/check_foreign.hpp"
-#include "drivers/check/check_steps.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/material/offer.hpp"
 
@@ -29,6 +27,9 @@ struct HostEffect {
   bool process = true;  ///< whether the process has come back
   bool matters() const { return stress > 0 || tangent > 0 || state || !taken || !process; }
 };
+
+void fields(auto& archive, HostEffect& e) { archive(e.stress, e.tangent, e.state, e.taken, e.process); }
+
 using HostEffects = std::vector<HostEffect>;
 
 /// Numbers of a state that are not the model's own.
@@ -82,9 +83,8 @@ class Hosts {
     const Offer<assay_tangent> form(material_);
     if (!form) return {};
     std::vector<double> found(81);
-    double F0[9], F1[9];
-    for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
-    const assay_step of_abi{step.t, step.dt, F0, F1};
+    const auto F0 = nine_of(step.F0), F1 = nine_of(step.F1);
+    const assay_step of_abi{step.t, step.dt, F0.data(), F1.data()};
     const std::int32_t status = form(&of_abi, std::size_t{1}, step.state0.data(), found.data());
     return status == ASSAY_FAILED ? std::vector<double>() : found;
   }
@@ -129,30 +129,18 @@ using Tried = std::function<std::optional<Effects>(const std::vector<HostVariati
 std::optional<Effects> tried(const ResolvedMaterial& material, double strain, double pressure,
                              const std::vector<HostVariation>& all) {
   constexpr double limit_s = 30;
-  constexpr std::size_t numbers = 4;  // of an effect
-  const auto rows = made_elsewhere(
+  return made_elsewhere(
       [&] {
         Hosts hosts(material, *host_of(material.material), strain, pressure);
-        check::History found;
+        Effects found;
         for (const HostVariation& variation : all) {
           found.emplace_back();
-          for (const HostVariation::Value& value : variation.values) {
-            const HostEffect effect = hosts.effect(variation, value);
-            for (const double number : {effect.stress, effect.tangent, double(effect.state), double(effect.taken)})
-              found.back().push_back(number);
-          }
+          for (const HostVariation::Value& value : variation.values)
+            found.back().push_back(hosts.effect(variation, value));
         }
         return found;
       },
       limit_s);
-  if (!rows) return std::nullopt;
-  Effects effects;
-  for (const std::vector<double>& row : *rows) {
-    effects.emplace_back();
-    for (std::size_t at = 0; at < row.size(); at += numbers)
-      effects.back().push_back({row[at], row[at + 1], row[at + 2] != 0, row[at + 3] != 0});
-  }
-  return effects;
 }
 
 /// Of all together, or of each alone where that ends the process; nothing where the same steps cannot be taken at all.

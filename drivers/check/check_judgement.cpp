@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The battery, and around it what a foreign interface leaves open.
-#include "drivers/check/check_elsewhere.hpp"
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/check/check_material.hpp"
 #include "harness/numeric/stopwatch.hpp"
@@ -8,8 +7,6 @@
 namespace assay::drivers {
 
 namespace {
-
-constexpr const char* repeated_test = "calls.repeated";
 
 /// What a test beside the battery finds, told as the battery tells its own.
 template <class Test>
@@ -51,13 +48,14 @@ std::optional<Material> under_another_name(const ResolvedMaterial& material) {
 
 /// The battery again where an instance of other parameters is in the way of this one, and would not be in a host.
 check::Report with_named_others(const ResolvedMaterial& material, const check::Options& options, check::Report first) {
-  const std::optional<Material> other = failed_test(first, repeated_test) ? under_another_name(material) : std::nullopt;
+  const std::optional<Material> other =
+      failed_test(first, check::ids::repeated) ? under_another_name(material) : std::nullopt;
   if (!other) return first;
   check::Options named = options;
   named.table_of_others = &other->table();
   check::Report again = check::run_battery(material.material, named);
-  if (failed_test(again, repeated_test)) return first;
-  if (check::TestResult* const test = test_of(again, repeated_test))
+  if (failed_test(again, check::ids::repeated)) return first;
+  if (check::TestResult* const test = test_of(again, check::ids::repeated))
     remark(*test, "what it keeps outside the state goes by CMNAME, and a host gives each set of PROPS another");
   return again;
 }
@@ -66,7 +64,7 @@ check::Report with_named_others(const ResolvedMaterial& material, const check::O
 check::Report battery_of(const ResolvedMaterial& material, const CheckSettings& settings, const CheckReporter& reporter,
                          const check::Report& before) {
   const std::string only = settings.only == process_test ? std::string() : settings.only;
-  const bool repeats = only.empty() || only == repeated_test;
+  const bool repeats = only.empty() || only == check::ids::repeated;
   const check::History elsewhere =
       repeats && reporter.first_calls ? history_elsewhere(material.material, settings.effort) : check::History();
   const check::History others = repeats ? history_of_others(material, settings.effort) : check::History();
@@ -107,7 +105,7 @@ std::optional<ResolvedMaterial> settle_rate(const ResolvedMaterial& material, co
   ResolvedMaterial other = as_rate_dependent(material);
   check::Report report = battery_of(other, settings, reporter, before);
   if (!settings.rate_dependent && !settles_rate(report, checked.report)) return std::nullopt;
-  const check::TestResult* const clock = failed_test(checked.report, "clock");
+  const check::TestResult* const clock = failed_test(checked.report, check::ids::clock);
   const double effect = clock ? clock->measure.value_or(0) : 0;
   checked.report = std::move(report);
   checked.depends_on.push_back(say_rate(checked.report, effect));

@@ -14,6 +14,7 @@
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/own_files.hpp"
 #include "drivers/system/whole_file.hpp"
+#include "harness/check/judge.hpp"
 #include "harness/numeric/stopwatch.hpp"
 
 namespace assay::drivers {
@@ -86,16 +87,12 @@ check::TestResult process_of(adapters::Habits habits, const check::Report& repor
   if (diagnosed(report, {check::causes::disturbs_process}))  // of a step: by its arithmetic
     habits &= ~(adapters::rounding_left | adapters::traps_left);
   const adapters::Habits harmful = habits & ~adapters::any_written_input;  // inputs were put right
-  check::TestResult test{.id = process_test, .measure = std::popcount(harmful), .threshold = 0};
-  test.sentence = "the model leaves the process that runs it as it was";
   const std::string words = "the model " + adapters::habit_words(habits);
-  if (harmful != adapters::no_habit) {
-    test.verdict = check::Verdict::fail;
-    test.cause = check::causes::disturbs_process;
-    test.sentence = words;
-  } else if (habits != harmful) {
-    remark(test, words);
-  }
+  check::TestResult test =
+      check::judged(std::popcount(harmful), 0, "the model leaves the process that runs it as it was",
+                    check::causes::disturbs_process, words);
+  test.id = process_test;
+  if (harmful == adapters::no_habit && habits != harmful) remark(test, words);
   return test;
 }
 

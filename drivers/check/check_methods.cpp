@@ -170,7 +170,7 @@ std::string methods_json(const CheckedMethods& checked) {
   for (const auto& report : checked.methods) {
     for (const TestResult& test : report.tests) out["tests"].push_back(json_of(report.method, test));
   }
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_document(out);
 }
 
 std::string methods_junit(const CheckedMethods& checked, const std::string& name) {

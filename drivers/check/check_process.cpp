@@ -65,8 +65,7 @@ CheckedMaterial with_end(CheckedMaterial checked, const CheckChild& child, const
                               .cause = check::causes::ends_process,
                               .sentence = how_it_ended(child, task, limit_s) + ", after the last test"};
   std::erase_if(checked.report.tests, [](const check::TestResult& test) { return test.id == process_test; });
-  checked.report.tests.push_back(end);
-  checked.report.diagnosis.push_back({end.cause, end.sentence});
+  add_test(checked.report, end);
   checked.hangs = hangs(child);
   return checked;
 }
@@ -106,8 +105,7 @@ CheckedMaterial result_of(const CheckChild& child, const CheckTask& task, double
   const char* cause =
       test == "calls.arrays" && spoilt_memory(child) ? check::causes::overrun : check::causes::ends_process;
   checked.hangs = hangs(child);
-  checked.report.tests.push_back({.id = test, .verdict = check::Verdict::fail, .cause = cause, .sentence = sentence});
-  checked.report.diagnosis.push_back({cause, sentence});
+  add_test(checked.report, {.id = test, .verdict = check::Verdict::fail, .cause = cause, .sentence = sentence});
   return checked;
 }
 

@@ -2,8 +2,8 @@
 // `assay check --replay`: a failure taken again.
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/check/check.hpp"
+#include "drivers/check/check_foreign.hpp"
 #include "drivers/check/check_material.hpp"
-#include "drivers/check/check_steps.hpp"
 #include "drivers/check/replay.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/terminal.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/check/check_report.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "drivers/output/junit.hpp"
@@ -135,11 +134,9 @@ Json json_of(const CheckedMaterial& checked) {
   return out;
 }
 
-std::string written(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
 }  // namespace
 
-std::string check_json(const CheckedMaterial& checked) { return written(json_of(checked)); }
+std::string check_json(const CheckedMaterial& checked) { return json_document(json_of(checked)); }
 
 std::string check_json(const std::vector<CheckedMaterial>& all) {
   Json out;
@@ -149,7 +146,7 @@ std::string check_json(const std::vector<CheckedMaterial>& all) {
   out["verdict"] = any("fail") ? "fail" : any("error") ? "error" : "pass";
   out["materials"] = Json::array();
   for (const CheckedMaterial& checked : all) out["materials"].push_back(json_of(checked));
-  return written(out);
+  return json_document(out);
 }
 
 std::optional<CheckedMaterial> checked_of_json(const std::string& text) {
@@ -212,20 +209,14 @@ std::string class_of(const CheckedMaterial& checked) {
 }
 
 JunitCase test_case(const CheckedMaterial& checked, const TestResult& test, const std::string& classname) {
-  JunitCase out{classname, test.id, test.wall_s};
-  if (test.verdict == Verdict::pass) return out;
-  if (test.verdict == Verdict::not_applicable) {
-    out.kind = JunitCase::Kind::skipped;
-    out.message = test.sentence;
-    return out;
-  }
+  using enum JunitCase::Kind;
+  if (test.verdict == Verdict::pass) return {classname, test.id, test.wall_s};
+  if (test.verdict == Verdict::not_applicable) return {classname, test.id, test.wall_s, skipped, test.sentence};
   const auto replay = checked.replays.find(test.id);
-  out.kind = JunitCase::Kind::failure;
-  out.message = test.cause + ": " + test.sentence;
-  out.type = test.cause;
-  out.text = "measured " + measured_text(test.measure) + ", at most " + measured_text(test.threshold) +
-             (replay == checked.replays.end() ? "" : "; again: assay check --replay " + replay->second);
-  return out;
+  const std::string figures =
+      "measured " + measured_text(test.measure) + ", at most " + measured_text(test.threshold) +
+      (replay == checked.replays.end() ? "" : "; again: assay check --replay " + replay->second);
+  return {classname, test.id, test.wall_s, failure, test.cause + ": " + test.sentence, test.cause, figures};
 }
 
 JunitSuite suite(const CheckedMaterial& checked, const std::string& given) {

@@ -3,14 +3,12 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "adapters/foreign/foreign_state.hpp"
 #include "drivers/check/check_foreign.hpp"
-#include "drivers/check/check_steps.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/march.hpp"
-#include "harness/check/state_variable.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::drivers {
 
@@ -29,9 +27,9 @@ void turn(Kind kind, const Tensor& Q, double* components) {
   const double shear = kind == Kind::strain   ? 1 / adapters::engineering_shear
                        : kind == Kind::mandel ? 1 / adapters::mfront_shear
                                               : 1;
-  const check::Variable read(plain, components);
-  const check::Variable turned = read.with(check::sheared(read.value(), shear)).turned(Q);
-  turned.with(check::sheared(turned.value(), 1 / shear)).write(components);
+  const Variable read(plain, components);
+  const Variable turned = read.with(sheared(read.value(), shear)).turned(Q);
+  turned.with(sheared(turned.value(), 1 / shear)).write(components);
 }
 
 class Search {
@@ -106,21 +104,13 @@ class Search {
     return check::distance(check::rotated(Q_.transpose(), stress_in(found)), expected) / scale;
   }
 
-  static Tensor stress_in(const Answer& answer) {
-    Tensor stress;
-    for (int c = 0; c < 9; ++c) component(stress, c) = answer[stress_of_answer + static_cast<std::size_t>(c)];
-    return stress;
-  }
+  static Tensor stress_in(const Answer& answer) { return tensor_of(&answer[stress_of_answer]); }
 
   /// The bridge's own, and those that are said to be tensors.
   void turn_declared(std::vector<double>& state) const {
-    const assay_material& table = material_.table();
-    std::size_t at = 0;
-    for (std::uint32_t v = 0; v < table.state_count; ++v) {
-      const std::int32_t kind = table.state[v].kind;
-      if (kind != ASSAY_SCALAR && table.state[v].role == ASSAY_ROLE_PLAIN)
-        check::Variable(kind, &state[at]).turned(Q_).write(&state[at]);
-      at += static_cast<std::size_t>(components_of_kind(kind));
+    for (const StatePlace& place : assay::state_of(material_.table())) {
+      if (place.kind != ASSAY_SCALAR && place.role == ASSAY_ROLE_PLAIN)
+        place.in(state).turned(Q_).write(&state[place.first]);
     }
   }
 

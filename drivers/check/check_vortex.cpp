@@ -11,6 +11,7 @@
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/whole_file.hpp"
 #include "drivers/text/numbers.hpp"
+#include "harness/check/judge.hpp"
 #include "harness/check/specimen.hpp"
 #include "harness/check/symmetry_class.hpp"
 #include "harness/motion/kinds/vortex.hpp"
@@ -109,15 +110,14 @@ double estimated_s(const Material& material, const check::Specimen& specimen) {
 TestResult untold(const std::string& why) { return not_applicable(vortex_test, why); }
 
 TestResult judged(double error, std::optional<double> other, std::optional<double> ellipticity) {
-  TestResult result{.id = vortex_test, .measure = error, .threshold = std::max(enough, most * other.value_or(0))};
+  const double threshold = std::max(enough, most * other.value_or(0));
   const std::string figures =
       "the vortex on a coarse grid: displacements within " + rounded_text(100 * error, 2) + " % of the exact ones" +
       (other ? ", " + rounded_text(100 * *other, 2) + " % for neo-Hookean elasticity of the same stiffness" : "");
-  result.sentence = figures;
-  if (*result.measure <= *result.threshold) return result;
-  if (!ellipticity || !(*ellipticity > 0)) return untold(figures + "; it may not be a stable motion");
-  result.verdict = Verdict::fail;
-  result.cause = check::causes::other_stress;
+  if (!(error <= threshold) && !(ellipticity && *ellipticity > 0))
+    return untold(figures + "; it may not be a stable motion");
+  TestResult result = check::judged(error, threshold, figures, check::causes::other_stress, figures);
+  result.id = vortex_test;
   return result;
 }
 

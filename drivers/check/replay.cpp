@@ -3,7 +3,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <mutex>
 #include <span>
 
@@ -18,6 +17,7 @@
 #include "drivers/system/input_file.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/sha256.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::drivers {
 
@@ -41,12 +41,9 @@ std::string step_text(const assay_material& table, const FailedStep& step) {
   std::string text = line_of("t", yaml_number(step.t)) + line_of("dt", yaml_number(step.dt)) +
                      line_of("F0", tensor_text(step.F0)) + line_of("F1", tensor_text(step.F1)) +
                      (table.state_count == 0 ? "state0: {}\n" : "state0:\n");
-  std::span<const double> left = step.state0;
-  for (std::uint32_t i = 0; i < table.state_count; ++i) {
-    const auto count = static_cast<std::size_t>(components_of_kind(table.state[i].kind));
-    text += "  " + line_of(yaml_scalar(table.state[i].name),
-                           count == 1 ? yaml_number(left.front()) : list_of(left.first(count)));
-    left = left.subspan(count);
+  for (const StatePlace& place : assay::state_of(table)) {
+    const auto values = std::span(step.state0).subspan(place.first, place.size);
+    text += "  " + line_of(yaml_scalar(place.name), place.size == 1 ? yaml_number(values[0]) : list_of(values));
   }
   return text;
 }
@@ -115,13 +112,12 @@ std::vector<double> state_of(const Tree& root, const assay_material& table) {
   const Tree& tree = required(root, "", "state0");
   std::vector<double> state;
   std::vector<std::string> names;
-  for (std::uint32_t i = 0; i < table.state_count; ++i) names.emplace_back(table.state[i].name);
+  const std::vector<StatePlace> places = assay::state_of(table);
+  for (const StatePlace& place : places) names.emplace_back(place.name);
   require_map(tree, "state0", joined(names));
   refuse_unknown_keys(tree, "state0", names);
-  for (std::uint32_t i = 0; i < table.state_count; ++i) {
-    append_numbers(required(tree, "state0", names[i]), "state0." + names[i],
-                   static_cast<std::size_t>(components_of_kind(table.state[i].kind)), state);
-  }
+  for (const StatePlace& place : places)
+    append_numbers(required(tree, "state0", place.name), std::string("state0.") + place.name, place.size, state);
   return state;
 }
 

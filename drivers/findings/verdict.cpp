@@ -160,14 +160,12 @@ std::string death_sentence(const Result& result) {
 
 /// An early end that the scene expects is none to complain of.
 JunitCase outcome_case(const Result& result, const std::string& classname, double seconds) {
-  JunitCase out{classname, "outcome", seconds};
+  using enum JunitCase::Kind;
   const bool expected =
       std::ranges::any_of(result.expect, [](const auto& line) { return line.key == "outcome" && line.holds; });
-  if (result.outcome == "completed" || expected) return out;
-  out.kind = result.outcome == "refused" ? JunitCase::Kind::error : JunitCase::Kind::failure;
-  out.message = death_sentence(result);
-  out.type = result.outcome;
-  return out;
+  if (result.outcome == "completed" || expected) return {classname, "outcome", seconds};
+  return {classname,     "outcome", seconds, result.outcome == "refused" ? error : failure, death_sentence(result),
+          result.outcome};
 }
 
 /// The same name whatever number is expected, so that CI knows the test again.
@@ -177,15 +175,15 @@ std::string name_of_line(const ExpectationOutcome& line) {
 }
 
 JunitCase expectation_case(const Result& result, const ExpectationOutcome& line, const std::string& classname) {
-  JunitCase out{classname, name_of_line(line)};
-  if (line.holds) return out;
+  using enum JunitCase::Kind;
+  if (line.holds) return {classname, name_of_line(line)};
   const bool never_tried = result.outcome == "refused" && line.found == "null";
   const std::string death = death_sentence(result);
-  out.kind = never_tried ? JunitCase::Kind::error : JunitCase::Kind::failure;
-  out.message =
+  const std::string message =
       line.key + ": expected " + line.expected + ", found " + line.found + (death.empty() ? "" : "; " + death);
-  out.type = never_tried ? result.outcome : "expectation";
-  return out;
+  return {classname, name_of_line(line),
+          0,         never_tried ? error : failure,
+          message,   never_tried ? result.outcome : "expectation"};
 }
 
 /// Whether a path names a file of the result.

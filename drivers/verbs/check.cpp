@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "drivers/check/causes_page.hpp"
 #include "drivers/command_line/verb.hpp"
 #include "drivers/format/number_slips.hpp"
 #include "drivers/system/input_error.hpp"

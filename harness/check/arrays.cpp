@@ -5,12 +5,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <string>
 #include <utility>
 
 #include "harness/check/call_steps.hpp"
 #include "harness/check/judge.hpp"
-#include "harness/check/state_variable.hpp"
+#include "harness/material/state_variable.hpp"
 #include "harness/material/thrown.hpp"
 #include "harness/numeric/arithmetic.hpp"
 
@@ -112,7 +111,7 @@ Deed step(const Material& material, const Walk& walk, double t, const Tensor& be
       factor(1, n, 1.0, bytes);
   Guarded<std::int32_t> status(n, n, -77, bytes);
   Guarded<char> message(ASSAY_MESSAGE_SIZE, 1, 0, bytes);
-  const assay_step whole{t, length, F0.data(), F1.data()};
+  const assay_step whole{material.pace() * t, material.pace() * length, F0.data(), F1.data()};
   assay_step step = whole;
   const std::string thrown = thrown_by(material.table().update, [&] {
     material.table().update(material.self(), &step, n, state.data(), state1.data(), cauchy.data(), status.data(),
@@ -165,20 +164,14 @@ void compare_alike(const Material& material, const Walk& walk, const History& fo
   single.n = 1;
   History alone;
   misdeed(material, single, &alone);
-  double scale = 1e-300;
-  for (const auto& row : alone) {
-    for (std::size_t c = 0; c < 9; ++c) scale = std::max(scale, std::abs(row[c]));
-  }
+  for (auto& row : alone) row.resize(9);  // the stress
+  const Comparison with(material.table(), alone);
   finding.largest = std::max(finding.largest, walk.n);
   std::vector<double> worst(walk.n, found.size() == alone.size() ? 0 : INFINITY);
   for (std::size_t k = 0; k < std::min(found.size(), alone.size()); ++k) {
-    for (std::size_t c = 0; c < 9; ++c) {
-      for (std::size_t p = 0; p < walk.n; ++p) {
-        const double of_batch = found[k][c * walk.n + p], own = alone[k][c];
-        if (!std::isfinite(of_batch) && !std::isfinite(own)) continue;
-        const double difference = std::abs(of_batch - own) / scale;
-        if (!(difference <= worst[p])) worst[p] = std::isfinite(difference) ? difference : INFINITY;
-      }
+    for (std::size_t p = 0; p < walk.n; ++p) {
+      const auto nine = nine_of(tensor_at(found[k].data(), walk.n, p));
+      worst[p] = std::max(worst[p], with.difference(k, {nine.begin(), nine.end()}));
     }
   }
   const auto is_wrong = [](double difference) { return !(difference <= same_in_batch); };
@@ -226,7 +219,8 @@ std::string misdeed_of_offers(const Material& material, const Effort& effort, st
   const Tensor I = Tensor::Identity(), strained = turning_stretch(Space(material), walk.amplitude, 1);
   const Deed end = step(material, walk, 0, I, strained, start.state);
   if (!end.goes_on) return {};
-  return check::misdeed_of_offers(material, {walk.n, length, I, strained, start.state, end.state, end.cauchy, bytes});
+  return check::misdeed_of_offers(
+      material, {walk.n, material.pace() * length, I, strained, start.state, end.state, end.cauchy, bytes});
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <deque>
-#include <functional>
 #include <thread>
 #include <utility>
 
@@ -22,10 +21,8 @@ namespace {
 std::vector<std::size_t> sizes() {
   std::vector<std::size_t> all{4096, 4095, 2049};
   for (std::size_t n = 2; n <= 34; ++n) all.push_back(n);
-  for (const std::size_t n : {63, 64, 65, 100, 127, 128, 129, 137, 200, 255, 256, 257, 500, 511, 512, 513}) {
-    all.push_back(n);
-  }
-  for (const std::size_t n : {700, 999, 1023, 1024, 1025, 1501, 2001, 2047, 2048, 3000}) all.push_back(n);
+  all.insert(all.end(), {63,  64,  65,  100, 127, 128,  129,  137,  200,  255,  256,  257,  500,
+                         511, 512, 513, 700, 999, 1023, 1024, 1025, 1501, 2001, 2047, 2048, 3000});
   return all;
 }
 

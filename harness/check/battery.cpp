@@ -4,12 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <set>
 
 #include "harness/check/diagnosis.hpp"
-#include "harness/check/loading.hpp"
-#include "harness/check/own_pace.hpp"
 #include "harness/check/work.hpp"
 #include "harness/material/thrown.hpp"
 #include "harness/numeric/stopwatch.hpp"
@@ -209,6 +206,10 @@ Options without_elsewhere(Options options) {
   options.elsewhere.clear();
   options.others_elsewhere.clear();
   return options;
+}
+
+Material at_pace(const Material& material, double pace) {
+  return Material(&material.table(), material.named_parameters(), pace);
 }
 
 /// Again at smaller strains as long as a step is refused.

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/call_steps.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
-#include "harness/check/state_variable.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::check {
 
@@ -19,10 +17,8 @@ Steps room_for(std::size_t n, std::size_t size, double dt) {
 
 /// Point p of a batch of n.
 void put(const FailedStep& step, Steps& batch, std::size_t p) {
-  for (int c = 0; c < 9; ++c) {
-    batch.F0[static_cast<std::size_t>(c) * batch.n + p] = component(step.F0, c);
-    batch.F1[static_cast<std::size_t>(c) * batch.n + p] = component(step.F1, c);
-  }
+  put_tensor(step.F0, batch.F0.data(), batch.n, p);
+  put_tensor(step.F1, batch.F1.data(), batch.n, p);
   for (std::size_t c = 0; c < batch.size; ++c) batch.state0[c * batch.n + p] = step.state0[c];
 }
 

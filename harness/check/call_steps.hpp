@@ -129,9 +129,7 @@ inline bool same(const std::vector<double>& a, const std::vector<double>& b) {
 /// n points that are loaded alike, component-major.
 inline std::vector<double> repeated(const Tensor& F, std::size_t n) {
   std::vector<double> all(9 * n);
-  for (std::size_t c = 0; c < 9; ++c) {
-    std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(c * n), n, component(F, static_cast<int>(c)));
-  }
+  for (std::size_t p = 0; p < n; ++p) put_tensor(F, all.data(), n, p);
   return all;
 }
 

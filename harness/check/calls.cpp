@@ -2,9 +2,7 @@
 // That `update` reads no more than it declares, knows what is no number, and what a refused step leaves behind.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "harness/check/tests.hpp"

@@ -2,7 +2,6 @@
 // A frame that is turned once for all, what any model keeps exactly; and a body that is, with its frame or without.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "harness/check/frame_twins.hpp"
 #include "harness/check/tests.hpp"

@@ -2,12 +2,11 @@
 // That the stress follows small changes of the deformation, and steps so short that their strain looks like none.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "harness/check/samples.hpp"
-#include "harness/check/state_variable.hpp"
 #include "harness/check/tests.hpp"
+#include "harness/material/state_variable.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
@@ -62,15 +61,11 @@ struct Jump {
 /// Each variable of the state relative to its own largest component.
 bool state_jumps(const assay_material& table, const Point& before, const Point& after) {
   constexpr double least = 1e-6;
-  for (const StatePlace& place : state_of(table)) {
-    double change = 0, largest = 0;
-    for (std::size_t c = place.first; c < place.end(); ++c) {
-      change = std::max(change, std::abs(after.state[c] - before.state[c]));
-      largest = std::max({largest, std::abs(before.state[c]), std::abs(after.state[c])});
-    }
-    if (change > least * largest) return true;
-  }
-  return false;
+  const std::vector<StatePlace> places = state_of(table);
+  return std::any_of(places.begin(), places.end(), [&](const StatePlace& place) {
+    const Variable was = place.in(before.state), is = place.in(after.state);
+    return is.distance(was) > least * std::max(was.largest(), is.largest());
+  });
 }
 
 /// Halves an interval again and again, and keeps the half whose change is not that of the `slope` [Pa]; nothing where

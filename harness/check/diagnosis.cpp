@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/diagnosis.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "harness/check/stiffness.hpp"
 
 namespace assay::check {

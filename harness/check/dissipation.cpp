@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "harness/check/samples.hpp"
 #include "harness/check/tests.hpp"

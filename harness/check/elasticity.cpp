@@ -5,11 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
-#include <vector>
 
-#include "harness/check/specimen.hpp"
 #include "harness/check/stiffness.hpp"
 #include "harness/check/tests.hpp"
 
@@ -69,10 +66,33 @@ std::vector<Elasticity> isotropic_ones(const Specimen& specimen) {
   return all;
 }
 
-/// Where there are none.
-TestResult no_elasticity(const Specimen& specimen) {
-  return left_out(specimen.isotropic() ? "the response to small strains from rest is not linear"
-                                       : "the model does not claim to be isotropic");
+/// How far a stiffness is from that of an isotropic material, over the modulus, and what is said where that is too far.
+struct Departure {
+  double error;
+  const char* cause = "";
+  std::string sentence = {};
+};
+
+/// The largest of those of all, in the words of the first that has a name. right: what is said, before and behind the
+/// figure, where none is too large.
+TestResult worst_of(const Specimen& specimen, const std::pair<const char*, const char*>& right,
+                    const std::function<Departure(const Elasticity&)>& departure_of) {
+  const std::vector<Elasticity> all = isotropic_ones(specimen);
+  if (all.empty())
+    return left_out(specimen.isotropic() ? "the response to small strains from rest is not linear"
+                                         : "the model does not claim to be isotropic");
+  TestResult result = passed(0, share, "");
+  for (const Elasticity& each : all) {
+    const Departure found = departure_of(each);
+    if (found.error > *result.measure) result.measure = found.error;
+    const bool is_named = !result.cause.empty() && result.cause != causes::not_isotropic;
+    if (found.error <= share || is_named) continue;
+    result.verdict = Verdict::fail;
+    result.cause = found.cause;
+    result.sentence = found.sentence;
+  }
+  if (result.verdict == Verdict::pass) result.sentence = right.first + rounded(*result.measure) + right.second;
+  return result;
 }
 
 }  // namespace
@@ -92,48 +112,31 @@ std::vector<StiffnessOf> linear_stiffnesses(const Specimen& specimen) {
 /// Shears couple to their own stress alone: 13 to 13, 23 to 23. Fails with the cause of an order
 /// where they lie in another one.
 TestResult shear_components(const Specimen& specimen) {
-  const std::vector<Elasticity> all = isotropic_ones(specimen);
-  if (all.empty()) return no_elasticity(specimen);
-  TestResult result = passed(0, share, "");
-  for (const Elasticity& each : all) {
-    const double coupled = each.coupled();
-    if (coupled > *result.measure) result.measure = coupled;
-    if (coupled <= share || is_of_order(result.cause)) continue;
-    const std::optional<ShearOrder> order = each.order();
-    result.verdict = Verdict::fail;
-    result.cause = order ? cause_of(*order) : causes::not_isotropic;
-    result.sentence =
-        order ? "a shear" + each.of + " gives shear stress in another plane: " + misplaced_in_one(*order)
-              : "a strain" + each.of + " gives stress in another component, " + rounded(coupled) + " of the modulus";
-  }
-  if (result.verdict == Verdict::pass) {
-    result.sentence = "at rest, each shear strain gives only its own shear stress, to within " +
-                      rounded(*result.measure) + " of the modulus";
-  }
-  return result;
+  return worst_of(
+      specimen, {"at rest, each shear strain gives only its own shear stress, to within ", " of the modulus"},
+      [](const Elasticity& each) -> Departure {
+        const double coupled = each.coupled();
+        if (coupled <= share) return {coupled};
+        const std::optional<ShearOrder> order = each.order();
+        if (!order)
+          return {coupled, causes::not_isotropic,
+                  "a strain" + each.of + " gives stress in another component, " + rounded(coupled) + " of the modulus"};
+        return {coupled, cause_of(*order),
+                "a shear" + each.of + " gives shear stress in another plane: " + misplaced_in_one(*order)};
+      });
 }
 
 /// The shear modulus follows from the axial stiffness: sigma_12 = (C11 - C12) eps_12. Fails with `shear_factor` where
 /// it is twice or half that.
 TestResult shear_modulus(const Specimen& specimen) {
-  const std::vector<Elasticity> all = isotropic_ones(specimen);
-  if (all.empty()) return no_elasticity(specimen);
-  TestResult result = passed(0, share, "");
-  for (const Elasticity& each : all) {
-    const auto [error, ratio] = each.order() ? std::pair(0.0, 1.0) : each.shear_error();
-    if (error > *result.measure) result.measure = error;
-    if (error <= share || result.cause == causes::shear_factor) continue;
-    const bool factor = std::abs(ratio - 2) < 0.02 || std::abs(ratio - 0.5) < 0.005;
-    result.verdict = Verdict::fail;
-    result.cause = factor ? causes::shear_factor : causes::not_isotropic;
-    result.sentence = "the shear modulus" + each.of + " is " + rounded(ratio, 3) + " times (C11 - C12)/2" +
-                      (factor ? ": engineering and tensor shear are mixed up" : "");
-  }
-  if (result.verdict == Verdict::pass) {
-    result.sentence =
-        "the shear modulus at rest is that of an isotropic material, to within " + rounded(*result.measure);
-  }
-  return result;
+  return worst_of(specimen, {"the shear modulus at rest is that of an isotropic material, to within ", ""},
+                  [](const Elasticity& each) -> Departure {
+                    const auto [error, ratio] = each.order() ? std::pair(0.0, 1.0) : each.shear_error();
+                    const bool factor = std::abs(ratio - 2) < 0.02 || std::abs(ratio - 0.5) < 0.005;
+                    return {error, factor ? causes::shear_factor : causes::not_isotropic,
+                            "the shear modulus" + each.of + " is " + rounded(ratio, 3) + " times (C11 - C12)/2" +
+                                (factor ? ": engineering and tensor shear are mixed up" : "")};
+                  });
 }
 
 namespace {

@@ -2,12 +2,11 @@
 // The optional abilities of a model, against the stress of `update`: energy, rate, wave speed, closed form.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "harness/check/samples.hpp"
-#include "harness/check/state_variable.hpp"
 #include "harness/check/tests.hpp"
+#include "harness/material/state_variable.hpp"
 #include "harness/numeric/largest.hpp"
 #include "harness/stability/wave_speed.hpp"
 
@@ -28,18 +27,22 @@ Rates in_parts(const Material& material, const Tensor& cauchy, const std::vector
   return parts;
 }
 
-/// Nothing where the model refuses to give its rates.
+/// A rate per unit of the clock at a pace is that many times the one per second. Nothing where the model refuses to
+/// give its rates.
 std::optional<Rates> offered_rates(const Material& material, const Offer<assay_rate>& form, const Sample& s,
                                    const Tensor& F_rate) {
   double cauchy_rate[9];
   std::fill(cauchy_rate, cauchy_rate + 9, NAN);
   std::vector<double> state_rate(s.end.state.size(), NAN);
-  const auto F = nine_of(s.F1), velocity_gradient = nine_of(F_rate * s.F1.inverse()), cauchy = nine_of(s.end.cauchy);
-  if (form(s.t + s.dt, std::size_t{1}, F.data(), velocity_gradient.data(), cauchy.data(), s.end.state.data(),
+  const double pace = material.pace();
+  const auto F = nine_of(s.F1), velocity_gradient = nine_of(F_rate * s.F1.inverse() / pace),
+             cauchy = nine_of(s.end.cauchy);
+  if (form(pace * (s.t + s.dt), std::size_t{1}, F.data(), velocity_gradient.data(), cauchy.data(), s.end.state.data(),
            cauchy_rate, state_rate.data()) == ASSAY_FAILED) {
     return std::nullopt;
   }
-  return in_parts(material, tensor_of(cauchy_rate), state_rate);
+  for (double& each : state_rate) each *= pace;
+  return in_parts(material, pace * tensor_of(cauchy_rate), state_rate);
 }
 
 /// Forward differences of steps of h, h/2, h/4 and h/8, within a small share of the elastic strain: a stress that flows

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "harness/material/checked_update.hpp"
 #include "harness/numeric/stable_norm.hpp"
 
 namespace assay::check {
@@ -37,13 +36,6 @@ Tensor Space::equal_stretches(double amplitude, bool three, double difference) c
   Vector3 stretches(1 + amplitude, 1 + amplitude + difference, 1 + other - (three ? difference : 0));
   if (is_plane_) std::swap(stretches(1), stretches(2));
   return rotated(turn(0.7), stretches.asDiagonal());
-}
-
-Point stepped(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
-              const std::vector<double>& state0) {
-  Point end{Tensor::Zero(), std::vector<double>(state0.size())};
-  end.cauchy = checked_step(material, 0, t, dt, F0, F1, state0.data(), end.state.data());
-  return end;
 }
 
 Point hold(const Material& material, double t, double length, const Tensor& F, Point from, int steps) {

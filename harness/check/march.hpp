@@ -2,16 +2,13 @@
 // Deformations of which the tests are made, and a material taken along them in equal steps from a given state.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <type_traits>
 #include <vector>
 
-#include "harness/material/material.hpp"
-#include "harness/material/material_failure.hpp"
+#include "harness/material/checked_update.hpp"
 #include "harness/numeric/largest.hpp"
-#include "harness/numeric/tensor.hpp"
 
 namespace assay::check {
 
@@ -45,11 +42,8 @@ struct Loading {
   int phases = 1;
 };
 
-/// Stress [Pa] and state of one point.
-struct Point {
-  Tensor cauchy = Tensor::Zero();
-  std::vector<double> state;
-};
+using Point = StepEnd;
+using assay::stepped;
 
 /// Points at the end of each phase; the largest component of stress on the way and the norm of the stress after each
 /// step [Pa]; the last step taken.
@@ -66,13 +60,6 @@ struct MarchOptions {
   double begin = 0;           ///< clock at the beginning [s]
   std::vector<double> state;  ///< at the beginning
 };
-
-/// One step of one point. Throws MaterialFailure.
-Point stepped(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
-              const std::vector<double>& state0);
-inline Point stepped(const Material& material, const FailedStep& step) {
-  return stepped(material, step.t, step.dt, step.F0, step.F1, step.state0);
-}
 
 /// A body that is held at F in some steps of one length [s], the first of which begins at t. Throws MaterialFailure.
 Point hold(const Material& material, double t, double length, const Tensor& F, Point from, int steps = 1);
@@ -94,15 +81,6 @@ std::invoke_result_t<Call> if_taken(const Call& call,
   }
 }
 
-template <class Call>
-std::invoke_result_t<Call> if_taken(const Call& call, std::nullopt_t nothing) {
-  try {
-    return call();
-  } catch (const MaterialFailure&) {
-    return nothing;
-  }
-}
-
 /// Whether the material takes that step.
 bool takes(const Material& material, const FailedStep& step);
 
@@ -110,8 +88,6 @@ bool takes(const Material& material, const FailedStep& step);
 /// std::runtime_error where the material cannot carry that.
 std::vector<double> state_at_rest(const Material& material, double pressure,
                                   const Vector3& direction = Vector3::UnitX());
-
-/// As the ABI has a tensor, and back.
 
 /// The largest |component|, where none can be NaN.
 template <class M>

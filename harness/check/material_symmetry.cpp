@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "harness/check/frame_twins.hpp"
-#include "harness/check/specimen.hpp"
 #include "harness/check/stiffness.hpp"
 #include "harness/check/symmetry_axes.hpp"
 #include "harness/check/tests.hpp"

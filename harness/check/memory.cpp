@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <utility>
 
 #include "harness/check/samples.hpp"
-#include "harness/check/state_variable.hpp"
 #include "harness/check/tests.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::check {
 
@@ -54,12 +53,8 @@ Use use_of(const Material& material, const std::vector<Sample>& samples, const S
 }
 
 bool changes(const std::vector<Sample>& samples, const StatePlace& place) {
-  return std::any_of(samples.begin(), samples.end(), [&](const Sample& s) {
-    for (std::size_t c = place.first; c < place.end(); ++c) {
-      if (s.end.state[c] != s.state0[c]) return true;
-    }
-    return false;
-  });
+  return std::any_of(samples.begin(), samples.end(),
+                     [&](const Sample& s) { return place.in(s.end.state).distance(place.in(s.state0)) > 0; });
 }
 
 /// The largest departure of component c from its first value on the way.
@@ -86,66 +81,57 @@ bool is_of_the_last_step(const Specimen& specimen, std::size_t c) {
   return coarse > least * std::abs(first) && halves(fine, coarse) && halves(finest, fine);
 }
 
-/// Names of variables, each with its place in the table, in order.
-class Names {
- public:
-  explicit Names(std::string numbered) : numbered_(std::move(numbered)) {}
+/// A variable and its place in the table.
+struct Named {
+  std::size_t at;
+  std::string name;
+};
 
-  void add(std::size_t at, const std::string& name) { all_.push_back({at, name}); }
-  bool empty() const { return all_.empty(); }
-
-  /// "'p', STATEV 3, 8-50": numbers that follow each other as one.
-  std::string text() const {
-    std::string words;
-    bool in_numbers = false;
-    for (std::size_t k = 0; k < all_.size();) {
-      const long number = number_of(all_[k].name);
-      std::size_t last = k;
-      while (number > 0 && last + 1 < all_.size() && follows(last)) ++last;
-      const std::string joint = words.empty() ? "" : ", ";
-      if (number == 0) {
-        words += joint + "'" + all_[k].name + "'";
-      } else {
-        words += joint + (in_numbers ? "" : numbered_ + " ") + std::to_string(number);
-        if (last > k) words += "-" + std::to_string(number_of(all_[last].name));
-      }
-      in_numbers = number > 0;
-      k = last + 1;
-    }
-    return words;
-  }
-
- private:
-  struct Named {
-    std::size_t at;
-    std::string name;
-  };
-  /// 3 of "s3", where such names are numbers; else 0.
-  long number_of(const std::string& name) const {
-    const bool is_number = !numbered_.empty() && name.size() > 1 && name[0] == 's' &&
+/// Of variables in order: "'p', STATEV 3, 8-50": where names are numbers of `numbered`, those that follow each other as
+/// one.
+std::string names_of(const std::vector<Named>& all, const std::string& numbered) {
+  const auto number_of = [&](std::size_t k) {  // 3 of "s3"; 0 of a name that is none
+    const std::string& name = all[k].name;
+    const bool is_number = !numbered.empty() && name.size() > 1 && name[0] == 's' &&
                            name.find_first_not_of("0123456789", 1) == std::string::npos;
     return is_number ? std::strtol(name.c_str() + 1, nullptr, 10) : 0;
+  };
+  const auto follows = [&](std::size_t k) {
+    return all[k + 1].at == all[k].at + 1 && number_of(k + 1) == number_of(k) + 1;
+  };
+  std::string words;
+  bool in_numbers = false;
+  for (std::size_t k = 0; k < all.size();) {
+    const long number = number_of(k);
+    std::size_t last = k;
+    while (number > 0 && last + 1 < all.size() && follows(last)) ++last;
+    words += words.empty() ? "" : ", ";
+    if (number == 0) {
+      words += "'" + all[k].name + "'";
+    } else {
+      words += (in_numbers ? "" : numbered + " ") + std::to_string(number);
+      if (last > k) words += "-" + std::to_string(number_of(last));
+    }
+    in_numbers = number > 0;
+    k = last + 1;
   }
-  bool follows(std::size_t k) const {
-    return all_[k + 1].at == all_[k].at + 1 && number_of(all_[k + 1].name) == number_of(all_[k].name) + 1;
-  }
-
-  std::string numbered_;
-  std::vector<Named> all_;
-};
+  return words;
+}
 
 /// How steps use the variables of the state: those that matter to no step, and those that no step changes.
 struct Uses {
-  explicit Uses(const std::string& numbered) : unread(numbered), idle(numbered), constant(numbered) {}
-  Names unread, idle, constant;
+  std::vector<Named> unread, idle, constant;
 
-  std::string sentence() const {
+  std::string sentence(const std::string& numbered) const {
     std::string text;
-    if (!unread.empty()) text = "no step reads " + unread.text() + " of the state, which is only an output";
-    if (!idle.empty()) text += (text.empty() ? "" : "; ") + ("no step uses " + idle.text() + " of the state");
+    if (!unread.empty())
+      text = "no step reads " + names_of(unread, numbered) + " of the state, which is only an output";
+    if (!idle.empty())
+      text += (text.empty() ? "" : "; ") + ("no step uses " + names_of(idle, numbered) + " of the state");
     if (text.empty()) text = "steps read every variable of the state";
     if (!constant.empty()) {
-      text += std::string("; ") + remark_words + "no step changes " + constant.text() + ", which steps read";
+      text +=
+          std::string("; ") + remark_words + "no step changes " + names_of(constant, numbered) + ", which steps read";
     }
     return text;
   }
@@ -166,19 +152,19 @@ TestResult memory(const Specimen& specimen) {
   const std::vector<StatePlace> all = variables_of(specimen);
   if (all.empty()) return left_out("the model has no state of its own");
   const std::vector<Sample> samples = samples_of(specimen);
-  Uses uses(specimen.options.declarations.numbered_state);
+  Uses uses;
   for (std::size_t v = 0; v < all.size(); ++v) {
     const StatePlace& place = all[v];
     const std::string name = place.name;
     const Use use = use_of(specimen, samples, place);
-    if (use == Use::passed_on) uses.idle.add(v, name);
-    if (use == Use::read && !changes(samples, place)) uses.constant.add(v, name);
+    if (use == Use::passed_on) uses.idle.push_back({v, name});
+    if (use == Use::read && !changes(samples, place)) uses.constant.push_back({v, name});
     if (use != Use::none) continue;
-    uses.unread.add(v, name);
+    uses.unread.push_back({v, name});
     const bool departs = place.size == 1 && specimen.rest_state()[place.first] != 0;
     if (departs && is_of_the_last_step(specimen, place.first)) return forgotten(name);
   }
-  return passed(0, 0, uses.sentence());
+  return passed(0, 0, uses.sentence(specimen.options.declarations.numbered_state));
 }
 
 }  // namespace assay::check

@@ -9,7 +9,6 @@
 #include <deque>
 #include <map>
 #include <memory>
-#include <optional>
 
 #include "harness/check/tests.hpp"
 
@@ -54,7 +53,7 @@ std::optional<Material> of_other_parameters(const Specimen& specimen) {
   const Material& material = *specimen.material;
   const assay_material* table = specimen.options.table_of_others;
   try {
-    return Material(table ? table : &material.table(), other_parameters(material));
+    return Material(table ? table : &material.table(), other_parameters(material), material.pace());
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/check/state_variable.hpp"
 #include "harness/check/tests.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::check {
 
@@ -201,12 +201,8 @@ std::string drifting_variable(const Specimen& specimen) {
   const Point before = hold(specimen, 1, length, loading.F(1), from_rest(specimen, loading, 2).marks[0]);
   const Point after = hold(specimen, 1, length, loading.F(1), before);
   for (const StatePlace& place : state_of(specimen.material->table())) {
-    double change = 0, largest = 0;
-    for (std::size_t c = place.first; c < place.end(); ++c) {
-      change = std::max(change, std::abs(after.state[c] - before.state[c]));
-      largest = std::max(largest, std::abs(before.state[c]));
-    }
-    if (place.kind != ASSAY_SCALAR && change > significant * largest) return place.name;
+    const Variable was = place.in(before.state), is = place.in(after.state);
+    if (place.kind != ASSAY_SCALAR && is.distance(was) > significant * was.largest()) return place.name;
   }
   return {};
 }

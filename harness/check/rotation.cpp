@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "harness/check/loading.hpp"
 #include "harness/check/tests.hpp"
 #include "harness/numeric/stable_norm.hpp"
 

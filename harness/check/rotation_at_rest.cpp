@@ -2,12 +2,11 @@
 // What a rotation does to a body at rest, to one under an initial stress, and to the state of one that is stretched.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "harness/check/frame_twins.hpp"
-#include "harness/check/state_variable.hpp"
 #include "harness/check/stiffness.hpp"
 #include "harness/check/tests.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::check {
 

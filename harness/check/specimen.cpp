@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/specimen.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "harness/check/judge.hpp"
 #include "harness/check/samples.hpp"

@@ -2,7 +2,6 @@
 #include "harness/check/stiffness.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "harness/check/names.hpp"
@@ -49,15 +48,13 @@ Probes probes_of(const Material& material, double pressure, double size, double 
   return probes;
 }
 
-double largest(const Stiffness& C) { return C.cwiseAbs().maxCoeff(); }
-
 }  // namespace
 
 Probed probed(const Material& material, double pressure, double length) {
   const Probes whole = probes_of(material, pressure, probe, length);
   const Probes half = probes_of(material, pressure, 0.5 * probe, length);
-  const double change = largest(half.slope - whole.slope);
-  return {whole.slope, std::max(change, whole.one_sided) < linear_within * largest(whole.slope), change};
+  const double change = size_of(half.slope - whole.slope);
+  return {whole.slope, std::max(change, whole.one_sided) < linear_within * size_of(whole.slope), change};
 }
 
 std::vector<RelaxingPart> relaxing_parts(const Material& material, double pressure, double modulus) {
@@ -73,11 +70,11 @@ std::vector<RelaxingPart> relaxing_parts(const Material& material, double pressu
     for (std::size_t k = 0; k < lengths.size(); ++k) {
       const auto &brief = found[k], &longer = found[k + 1];
       const Stiffness part = brief[0].slope - longer[0].slope, again = brief[1].slope - longer[1].slope;
-      const double beside = std::max(largest(brief[0].slope), largest(longer[0].slope));
-      if (!(largest(part) > std::max(significant * beside, least * modulus))) continue;
-      const double noise = largest(part - again);
+      const double beside = std::max(size_of(brief[0].slope), size_of(longer[0].slope));
+      if (!(size_of(part) > std::max(significant * beside, least * modulus))) continue;
+      const double noise = size_of(part - again);
       const double change = std::max({noise, brief[0].one_sided, longer[0].one_sided});
-      if (change > linear_within * largest(part)) continue;
+      if (change > linear_within * size_of(part)) continue;
       parts.push_back({part, lengths[k], k + 1 < lengths.size() ? lengths[k + 1] : INFINITY, noise});
     }
   } catch (const MaterialFailure&) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 #include "harness/check/samples.hpp"
 #include "harness/check/tangents.hpp"
@@ -34,7 +33,7 @@ Tangent by_differences(const Space& space, const F& f, const Tensor& at, double 
 std::optional<Tangent> offered(const Material& material, const Offer<assay_tangent>& form, const Sample& s) {
   const auto F0 = nine_of(s.F0), F1 = nine_of(s.F1);
   Eigen::Matrix<double, 9, 9, Eigen::RowMajor> found = Tangent::Constant(NAN);
-  const assay_step step{s.t, s.dt, F0.data(), F1.data()};
+  const assay_step step{material.pace() * s.t, material.pace() * s.dt, F0.data(), F1.data()};
   if (form(&step, std::size_t{1}, s.state0.data(), found.data()) == ASSAY_FAILED) return std::nullopt;
   return within(Space(material), found);
 }

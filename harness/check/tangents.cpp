@@ -13,33 +13,25 @@ namespace {
 
 int at(int i, int j) { return 3 * i + j; }
 
+/// A component 0..8 alone.
+Tensor unit(int c) {
+  Tensor A = Tensor::Zero();
+  component(A, c) = 1;
+  return A;
+}
+
+/// The part of it that is symmetric.
+Tensor symmetric_unit(int c) { return 0.5 * (unit(c) + unit(c).transpose()); }
+
 /// d (J sigma) / d F over J: d sigma / d F + sigma F^-T.
 Tangent kirchhoff_over_J(const Tangent& A, const Tensor& sigma, const Tensor& F) {
-  const Tensor inverse = F.inverse();
-  Tangent result = A;
-  for (int k = 0; k < 3; ++k) {
-    for (int L = 0; L < 3; ++L) result.col(at(k, L)) += column_of(sigma) * inverse(L, k);
-  }
-  return result;
+  return A + column_of(sigma) * column_of(F.inverse().transpose()).transpose();
 }
 
 /// To increments l = dF F^-1: a_ijkl = A_ijkL F_lL.
 Tangent spatial(const Tangent& A, const Tensor& F) {
-  Tangent result = Tangent::Zero();
-  for (int k = 0; k < 3; ++k) {
-    for (int l = 0; l < 3; ++l) {
-      for (int L = 0; L < 3; ++L) result.col(at(k, l)) += A.col(at(k, L)) * F(l, L);
-    }
-  }
-  return result;
-}
-
-/// The part for symmetric l.
-Tangent of_strain(const Tangent& a) {
   Tangent result;
-  for (int k = 0; k < 3; ++k) {
-    for (int l = 0; l < 3; ++l) result.col(at(k, l)) = 0.5 * (a.col(at(k, l)) + a.col(at(l, k)));
-  }
+  for (int k = 0; k < 9; k += 3) result.middleCols<3>(k) = A.middleCols<3>(k) * F.transpose();
   return result;
 }
 
@@ -53,12 +45,8 @@ Tangent columns_exchanged(const Tangent& A) {
 
 Tangent rows_exchanged(const Tangent& A) { return columns_exchanged(A.transpose()).transpose(); }
 
-/// The c-th component of a symmetric tensor alone, half of it on either side of the diagonal.
-Tensor symmetric_unit(int c) {
-  Tensor half = Tensor::Zero();
-  component(half, c) += 0.5;
-  return half + half.transpose();
-}
+/// The part for symmetric l.
+Tangent of_strain(const Tangent& a) { return 0.5 * (a + columns_exchanged(a)); }
 
 /// c : d = C_Jaumann : d - d sigma - sigma d.
 Tangent truesdell(const Tangent& jaumann, const Tensor& sigma) {
@@ -70,15 +58,24 @@ Tangent truesdell(const Tangent& jaumann, const Tensor& sigma) {
   return result;
 }
 
+/// d P / d F with P = tau F^-T.
+Tangent of_first_piola(const Tangent& dtau_dF, const Tensor& P, const Tensor& F) {
+  const Tensor inverse_transposed = F.inverse().transpose();
+  Tangent result;
+  for (int c = 0; c < 9; ++c) {
+    const Tensor dtau = tensor_of(dtau_dF.col(c).data());
+    result.col(c) = column_of((dtau - P * unit(c).transpose()) * inverse_transposed);
+  }
+  return result;
+}
+
 /// d S / d F with S = F^-1 P.
-Tangent of_second_piola(const Tangent& piola, const Tensor& P, const Tensor& F) {
+Tangent of_second_piola(const Tangent& dP_dF, const Tensor& P, const Tensor& F) {
   const Tensor inverse = F.inverse();
   Tangent result;
   for (int c = 0; c < 9; ++c) {
-    Tensor dF = Tensor::Zero();
-    component(dF, c) = 1;
-    const Tensor dP = tensor_of(piola.col(c).data());
-    result.col(c) = column_of(inverse * (dP - dF * inverse * P));
+    const Tensor dP = tensor_of(dP_dF.col(c).data());
+    result.col(c) = column_of(inverse * (dP - unit(c) * inverse * P));
   }
   return result;
 }
@@ -140,26 +137,10 @@ std::vector<std::pair<std::string, Tangent>> with_other_shears(const Tangent& gi
 
 std::vector<std::pair<std::string, Tangent>> other_conventions(const Tangent& A, const Tensor& sigma, const Tensor& F) {
   const double J = F.determinant();
-  const Tensor inverse = F.inverse();
-  const Tangent tau_over_J = kirchhoff_over_J(A, sigma, F);
-  Tangent piola = Tangent::Zero();
-  // P = tau F^-T: dP_iJ = dtau_im F^-1_Jm - tau_im F^-1_Jk dF_kL F^-1_Lm
-  for (int i = 0; i < 3; ++i) {
-    for (int jj = 0; jj < 3; ++jj) {
-      for (int k = 0; k < 3; ++k) {
-        for (int L = 0; L < 3; ++L) {
-          double value = 0;
-          for (int m = 0; m < 3; ++m) {
-            value +=
-                J * (tau_over_J(at(i, m), at(k, L)) * inverse(jj, m) - sigma(i, m) * inverse(jj, k) * inverse(L, m));
-          }
-          piola(at(i, jj), at(k, L)) = value;
-        }
-      }
-    }
-  }
+  const Tensor P = first_piola_kirchhoff(sigma, F);
+  const Tangent tau_over_J = kirchhoff_over_J(A, sigma, F), piola = of_first_piola(J * tau_over_J, P, F);
   const Tangent plain = of_strain(spatial(A, F)), jaumann = of_strain(spatial(tau_over_J, F));
-  const Tangent second_piola = of_second_piola(piola, J * sigma * inverse.transpose(), F);
+  const Tangent second_piola = of_second_piola(piola, P, F);
   return {{"transposed", A.transpose()},
           {"d sigma / d F with the indices of F exchanged (column-major)", columns_exchanged(A)},
           {"d (J sigma) / d F, of the Kirchhoff stress", J * tau_over_J},
@@ -195,9 +176,7 @@ Tangent of_shape(const Tangent& A, const Tensor& F) {
 Tangent hypoelastic_tangent(const Specimen& specimen, const Sample& s, const Stiffness& C, bool of_kirchhoff) {
   Tangent A;
   for (int column = 0; column < 9; ++column) {
-    Tensor E = Tensor::Zero();
-    component(E, column) = 1;
-    const Tensor l = E * s.F1.inverse(), w = 0.5 * (l - l.transpose()), &sigma = s.end.cauchy;
+    const Tensor l = unit(column) * s.F1.inverse(), w = 0.5 * (l - l.transpose()), &sigma = s.end.cauchy;
     Tensor d = stress_of(C, l) + w * sigma - sigma * w;
     if (of_kirchhoff) d -= l.trace() * sigma;
     A.col(column) = column_of(d);

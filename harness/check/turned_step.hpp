@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "harness/check/specimen.hpp"
-#include "harness/check/state_variable.hpp"
 #include "harness/check/stiffness.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::check {
 

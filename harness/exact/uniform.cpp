@@ -53,10 +53,8 @@ class UniformStress {
   }
 
   Tensor by_update(double t) const {
-    const Tensor F = path_.deformation_gradient(own_, t);
-    std::vector<double> after(state_.size());
-    return first_piola_kirchhoff(
-        checked_step(*material_, own_, 0, t > 0 ? t : 1, Tensor::Identity(), F, state_.data(), after.data()), F);
+    const Tensor F = path_.deformation_gradient(own_, t), I = Tensor::Identity();
+    return first_piola_kirchhoff(stepped(*material_, 0, t > 0 ? t : 1, I, F, state_, own_).cauchy, F);
   }
 
   std::shared_ptr<const Material> material_;

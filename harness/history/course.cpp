@@ -10,6 +10,7 @@
 #include "harness/history/histories_elsewhere.hpp"
 #include "harness/material/checked_update.hpp"
 #include "harness/material/offer.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay {
 
@@ -144,12 +145,9 @@ class Marcher {
   /// add(sign of a variable, whether the step from state0_ to state1_ has changed it).
   template <class Add>
   void note(std::vector<char>& signs, const Add& add) const {
-    const assay_material& table = material_.table();
-    std::size_t offset = 0;
-    for (std::uint32_t k = 0; k < table.state_count; ++k) {
-      const std::int32_t kind = table.state[k].kind;
-      add(signs[k], variable_changes(kind, &state0_[offset], &state1_[offset]));
-      offset += static_cast<std::size_t>(components_of_kind(kind));
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const StatePlace& place = places_[k];
+      add(signs[k], variable_changes(place.kind, &state0_[place.first], &state1_[place.first]));
     }
   }
 
@@ -158,6 +156,7 @@ class Marcher {
   double xi_;
   CoarseMarch& seen_;
   Tensor F_;
+  std::vector<StatePlace> places_ = state_of(material_.table());
   std::vector<double> state0_, state1_;
   std::array<double, 9> cauchy0_ = {}, cauchy_ = {};
 };
@@ -186,18 +185,15 @@ void share_largest(std::vector<double>& values, std::size_t begin, std::size_t e
 /// largest counts.
 HistoryScales scales_of(const assay_material& table, std::vector<double> largest) {
   share_largest(largest, 0, 9);
-  std::size_t offset = 9;
   double of_nameless = 0;
   std::vector<std::size_t> nameless;
-  for (std::uint32_t k = 0; k < table.state_count; ++k) {
-    const auto size = static_cast<std::size_t>(components_of_kind(table.state[k].kind));
-    if (size == 1 && (!table.state[k].unit || !*table.state[k].unit)) {
-      nameless.push_back(offset);
-      of_nameless = std::max(of_nameless, largest[offset]);
+  for (const StatePlace& place : state_of(table)) {
+    if (place.size == 1 && (!place.unit || !*place.unit)) {
+      nameless.push_back(9 + place.first);
+      of_nameless = std::max(of_nameless, largest[9 + place.first]);
     } else {
-      share_largest(largest, offset, offset + size);
+      share_largest(largest, 9 + place.first, 9 + place.end());
     }
-    offset += size;
   }
   for (const std::size_t at : nameless) largest[at] = of_nameless > 0 ? of_nameless : 1;
   return {largest[0], std::vector<double>(largest.begin() + 9, largest.end())};

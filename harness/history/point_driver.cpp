@@ -26,8 +26,8 @@ Histories integrate_histories(const Material& material, const Path& path, std::s
     for (std::size_t k = 0; k < times.size(); ++k) {
       const Tensor sigma = trail.cauchy(k),
                    tau = first_piola_kirchhoff(sigma, path.deformation_gradient(xi[p], times[k]));
-      put_point(nine_of(sigma), h.points[k].cauchy.data(), n, p);
-      put_point(nine_of(tau), h.tau[k].data(), n, p);
+      put_tensor(sigma, h.points[k].cauchy.data(), n, p);
+      put_tensor(tau, h.tau[k].data(), n, p);
       put_point(trail.row(k).subspan(9), h.points[k].state.data(), n, p);
     }
     error[p] = trail.error;

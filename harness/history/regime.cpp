@@ -6,8 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "harness/material/material.hpp"
-#include "harness/numeric/tensor.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay {
 
@@ -16,21 +15,13 @@ namespace {
 /// Of an invariant, over its size: a rotation by the model leaves the rounding of some operations.
 constexpr double rounding_of_invariants = 1e-13;
 
-Tensor tensor_of(std::int32_t kind, const double* a) {
-  Tensor A = Tensor::Zero();
-  if (kind == ASSAY_VECTOR) A.col(0) << a[0], a[1], a[2];
-  if (kind == ASSAY_SYMMETRIC_TENSOR) A << a[0], a[3], a[4], a[3], a[1], a[5], a[4], a[5], a[2];
-  if (kind == ASSAY_TENSOR) A = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(a);
-  return A;
-}
-
 /// Of the first, second and third degree; of a vector its length alone.
 std::array<double, 3> invariants_of(std::int32_t kind, const Tensor& A) {
   return {kind == ASSAY_VECTOR ? 0 : A.trace(), A.squaredNorm(), A.determinant()};
 }
 
 bool invariants_change(std::int32_t kind, const double* before, const double* after) {
-  Tensor A = tensor_of(kind, before), B = tensor_of(kind, after);
+  Tensor A = Variable(kind, before).value(), B = Variable(kind, after).value();
   const double largest = std::max(A.cwiseAbs().maxCoeff(), B.cwiseAbs().maxCoeff());
   if (!(largest > 0 && std::isfinite(largest))) return false;
   const double unit_of_both = std::ldexp(1.0, std::ilogb(largest));  // squares and cubes neither overflow nor vanish
@@ -47,16 +38,6 @@ bool invariants_change(std::int32_t kind, const double* before, const double* af
 
 bool scalar_changes(double before, double after) { return after != before && after != 0; }
 
-/// visit(variable, its number, its first component) of a table's state.
-template <class Visit>
-void for_each_variable(const assay_material& table, const Visit& visit) {
-  std::size_t offset = 0;
-  for (std::uint32_t k = 0; k < table.state_count; ++k) {
-    visit(table.state[k], k, offset);
-    offset += static_cast<std::size_t>(components_of_kind(table.state[k].kind));
-  }
-}
-
 }  // namespace
 
 bool variable_changes(std::int32_t kind, const double* before, const double* after) {
@@ -65,19 +46,18 @@ bool variable_changes(std::int32_t kind, const double* before, const double* aft
 
 bool any_scalar_tells(const assay_material& table, const StateSigns& signs) {
   bool any = false;
-  for_each_variable(table, [&](const assay_state_variable& variable, std::size_t k, std::size_t) {
-    any = any || (signs.any_start && variable.kind == ASSAY_SCALAR && signs.changes[k] && !signs.ever[k]);
-  });
+  for (std::uint32_t k = 0; k < table.state_count; ++k)
+    any = any || (signs.any_start && table.state[k].kind == ASSAY_SCALAR && signs.changes[k] && !signs.ever[k]);
   return any;
 }
 
 RegimeReader::RegimeReader(const assay_material& table) {
   std::vector<std::size_t> names;
-  for_each_variable(table, [&](const assay_state_variable& variable, std::size_t, std::size_t offset) {
-    if (variable.kind != ASSAY_SCALAR) return;
-    const bool names_regime = variable.unit && std::string_view(variable.unit) == "regime";
-    (names_regime ? names : scalars_).push_back(offset);
-  });
+  for (const StatePlace& place : state_of(table)) {
+    if (place.kind != ASSAY_SCALAR) continue;
+    const bool names_regime = place.unit && std::string_view(place.unit) == "regime";
+    (names_regime ? names : scalars_).push_back(place.first);
+  }
   named_ = !names.empty();
   if (named_) scalars_ = names;
 }
@@ -89,17 +69,18 @@ void RegimeReader::settle(const assay_material& table, const StateSigns& signs) 
   std::vector<std::int32_t> kinds;
   bool any_changes = false;
   const bool any_tells = any_scalar_tells(table, signs);
-  for_each_variable(table, [&](const assay_state_variable& variable, std::size_t k, std::size_t offset) {
-    if (signs.always[k]) return;
-    if (variable.kind == ASSAY_SCALAR) {
-      if (any_tells && signs.ever[k]) return;
-      scalars_.push_back(offset);
+  const std::vector<StatePlace> places = state_of(table);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (signs.always[k]) continue;
+    if (places[k].kind == ASSAY_SCALAR) {
+      if (any_tells && signs.ever[k]) continue;
+      scalars_.push_back(places[k].first);
       any_changes = any_changes || signs.changes[k];
     } else if (signs.changes[k]) {
-      tensors.push_back(offset);
-      kinds.push_back(variable.kind);
+      tensors.push_back(places[k].first);
+      kinds.push_back(places[k].kind);
     }
-  });
+  }
   if (!any_changes) tensors_ = tensors, kinds_ = kinds;
 }
 

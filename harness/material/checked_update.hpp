@@ -19,12 +19,25 @@ inline void checked_update(const Material& material, double xi, double t, double
   throw failure;
 }
 
-/// The same of one point: its Cauchy stress [Pa].
-inline Tensor checked_step(const Material& material, double xi, double t, double dt, const Tensor& F0, const Tensor& F1,
-                           const double* state0, double* state1) {
-  std::array<double, 9> cauchy;
-  checked_update(material, xi, t, dt, 1, nine_of(F0).data(), nine_of(F1).data(), state0, state1, cauchy.data());
-  return tensor_of(cauchy.data());
+/// Stress [Pa] and state of one point.
+struct StepEnd {
+  Tensor cauchy = Tensor::Zero();
+  std::vector<double> state;
+};
+
+/// One step of one point. Throws MaterialFailure.
+inline StepEnd stepped(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
+                       const std::vector<double>& state0, double xi = 0) {
+  double sigma[9];
+  StepEnd end{Tensor::Zero(), std::vector<double>(state0.size())};
+  checked_update(material, xi, t, dt, 1, nine_of(F0).data(), nine_of(F1).data(), state0.data(), end.state.data(),
+                 sigma);
+  end.cauchy = tensor_of(sigma);
+  return end;
+}
+
+inline StepEnd stepped(const Material& material, const FailedStep& step) {
+  return stepped(material, step.t, step.dt, step.F0, step.F1, step.state0);
 }
 
 }  // namespace assay

@@ -10,6 +10,7 @@
 #include "harness/material/material_failure.hpp"
 #include "harness/material/offer.hpp"
 #include "harness/material/progress_mark.hpp"
+#include "harness/material/state_variable.hpp"
 #include "harness/material/thrown.hpp"
 #include "harness/numeric/arithmetic.hpp"
 
@@ -134,13 +135,14 @@ const void* extension_of(const assay_material* table, const char* id) {
   return table->extension ? call_model(*table, "extension", table->extension, id) : nullptr;
 }
 
-Material::Material(const assay_material* table, const std::map<std::string, double>& parameters)
-    : Material(table, InDeclaredOrder{in_declared_order(*table, parameters)}) {}
+Material::Material(const assay_material* table, const std::map<std::string, double>& parameters, double pace)
+    : Material(table, InDeclaredOrder{in_declared_order(*table, parameters)}, pace) {}
 
-Material::Material(const assay_material* table, InDeclaredOrder parameters)
+Material::Material(const assay_material* table, InDeclaredOrder parameters, double pace)
     : table_(table),
       parameters_(std::move(parameters.values)),
       handed_over_(parameters_),
+      pace_(pace),
       self_(nullptr, destroy_instance) {
   for (std::uint32_t i = 0; i < table->state_count; ++i) {
     state_size_ += static_cast<std::size_t>(components_of_kind(table->state[i].kind));
@@ -193,14 +195,10 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
     throw CannotBegin("material '" + name() + "'",
                       "initial_state returned the status " + std::to_string(status) + ", which is none of the ABI's");
   }
-  std::size_t offset = 0;
   std::uint32_t rank = 0;
-  for (std::uint32_t i = 0; i < table_->state_count; ++i) {
-    const assay_state_variable& variable = table_->state[i];
-    if (variable.role == ASSAY_ROLE_DIRECTION && variable.kind == ASSAY_VECTOR) {
-      fill_direction(rank++, n, direction, &state[offset * n]);
-    }
-    offset += static_cast<std::size_t>(components_of_kind(variable.kind));
+  for (const StatePlace& place : state_of(*table_)) {
+    if (place.role == ASSAY_ROLE_DIRECTION && place.kind == ASSAY_VECTOR)
+      fill_direction(rank++, n, direction, &state[place.first * n]);
   }
   return state;
 }
@@ -212,10 +210,8 @@ bool Material::is_function_of_F() const {
 }
 
 std::string variable_at(const assay_material& table, std::size_t component) {
-  for (std::uint32_t v = 0; v < table.state_count; ++v) {
-    const auto size = static_cast<std::size_t>(components_of_kind(table.state[v].kind));
-    if (component < size) return table.state[v].name;
-    component -= size;
+  for (const StatePlace& place : state_of(table)) {
+    if (component < place.end()) return place.name;
   }
   return {};
 }

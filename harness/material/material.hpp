@@ -71,9 +71,10 @@ class Material {
  public:
   /// Parameters by name, defaults filled, bounds checked. Throws ParameterError; std::runtime_error with the
   /// material's message where `create` fails.
-  Material(const assay_material* table, const std::map<std::string, double>& parameters);
+  /// pace: what the model is told of times and lengths of steps is so many times as long [1].
+  Material(const assay_material* table, const std::map<std::string, double>& parameters, double pace = 1);
 
-  Material clone() const { return Material(table_, InDeclaredOrder{parameters_}); }
+  Material clone() const { return Material(table_, InDeclaredOrder{parameters_}, pace_); }
 
   const assay_material& table() const { return *table_; }
   std::string name() const { return table_->name; }
@@ -91,6 +92,7 @@ class Material {
   bool wrote_parameters() const { return handed_over_ != parameters_; }
   double parameter(const std::string& name) const;
   std::map<std::string, double> named_parameters() const;
+  double pace() const { return pace_; }
 
   /// Components of the state of one point.
   std::size_t state_size() const { return state_size_; }
@@ -100,7 +102,7 @@ class Material {
   std::vector<double> initial_state(std::size_t n, std::span<const double> cauchy = {},
                                     std::span<const double> direction = {}) const;
 
-  /// The ABI's update; n <= ASSAY_BATCH_MAX, pointers as there.
+  /// The ABI's update, at the material's pace; n <= ASSAY_BATCH_MAX, pointers as there.
   UpdateReport update(double t, double dt, std::size_t n, const double* F0, const double* F1, const double* state0,
                       double* state1, double* cauchy) const;
 
@@ -119,11 +121,12 @@ class Material {
     explicit InDeclaredOrder(std::vector<double> v) : values(std::move(v)) {}
     std::vector<double> values;
   };
-  Material(const assay_material* table, InDeclaredOrder parameters);
+  Material(const assay_material* table, InDeclaredOrder parameters, double pace);
 
   const assay_material* table_;
   std::vector<double> parameters_, handed_over_;  ///< the latter to the model, which is not trusted
   std::size_t state_size_ = 0;
+  double pace_;
   std::unique_ptr<void, void (*)(void*)> self_;
 };
 

@@ -56,7 +56,7 @@ void take_statuses(const std::int32_t* status, std::size_t n, char* message, Upd
 
 UpdateReport Material::update(double t, double dt, std::size_t n, const double* F0, const double* F1,
                               const double* state0, double* state1, double* cauchy) const {
-  const assay_step step{t, dt, F0, F1};
+  const assay_step step{pace_ * t, pace_ * dt, F0, F1};
   UpdateReport report;
   char message[ASSAY_MESSAGE_SIZE] = "";
   std::int32_t status[ASSAY_BATCH_MAX];

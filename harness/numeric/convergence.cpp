@@ -2,12 +2,12 @@
 #include "harness/numeric/convergence.hpp"
 
 #include <algorithm>
-#include <array>
 #include <boost/math/distributions/students_t.hpp>
 #include <charconv>
 #include <cmath>
 
 #include "harness/numeric/norms.hpp"
+#include "harness/numeric/number_text.hpp"
 
 namespace assay {
 
@@ -20,12 +20,6 @@ std::string order_text(double order, int digits_after_point = 2) {
   std::array<char, 400> text;
   const auto done =
       std::to_chars(text.data(), text.data() + text.size(), order, std::chars_format::fixed, digits_after_point);
-  return {text.data(), done.ptr};
-}
-
-std::string short_text(double value) {
-  std::array<char, 32> text;
-  const auto done = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
   return {text.data(), done.ptr};
 }
 
@@ -96,8 +90,8 @@ RangeJudgement asymptotic_range(const std::vector<double>& h, const std::vector<
   if (!(h[n - 3] > h[n - 2] && h[n - 2] > h[n - 1]))
     return unknown_range("the resolutions do not go from coarse to fine");
   if (span < least_span * (1 - 1e-12)) {
-    return unknown_range("the three finest span a factor of " + short_text(span) + " in h, " + short_text(least_span) +
-                         " is needed");
+    return unknown_range("the three finest span a factor of " + rounded_text(span, 3) + " in h, " +
+                         rounded_text(least_span, 3) + " is needed");
   }
   const double coarse = *orders[n - 2], fine = *orders[n - 1], apart = std::abs(fine - coarse);
   const std::string found = "orders " + order_text(coarse) + " and " + order_text(fine) + " on the three finest";
@@ -109,7 +103,7 @@ RangeJudgement asymptotic_range(const std::vector<double>& h, const std::vector<
   return {agree ? AsymptoticRange::reached : AsymptoticRange::not_reached,
           (agree ? "reached: " : "not reached: ") + found + " differ by " +
               order_text(apart, std::abs(apart - order_tolerance) < 0.005 ? 4 : 2) +
-              (agree ? ", at most " : ", more than ") + short_text(order_tolerance)};
+              (agree ? ", at most " : ", more than ") + rounded_text(order_tolerance, 3)};
 }
 
 }  // namespace assay

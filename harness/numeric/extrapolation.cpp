@@ -2,7 +2,6 @@
 #include "harness/numeric/extrapolation.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace assay {

@@ -17,7 +17,7 @@ using Tensor = Eigen::Matrix3d;
 inline double component(const Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
 inline double& component(Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
 
-/// The nine components in that order.
+/// The nine components as the ABI has them, and back.
 inline std::array<double, 9> nine_of(const Tensor& A) {
   std::array<double, 9> nine;
   for (int c = 0; c < 9; ++c) nine[static_cast<std::size_t>(c)] = component(A, c);
@@ -35,6 +35,9 @@ inline std::vector<double> point_of(const double* array, std::size_t n, std::siz
   std::vector<double> values(components);
   for (std::size_t c = 0; c < components; ++c) values[c] = array[c * n + p];
   return values;
+}
+inline void put_tensor(const Tensor& A, double* array, std::size_t n, std::size_t p) {
+  put_point(nine_of(A), array, n, p);
 }
 inline Tensor tensor_at(const double* array, std::size_t n, std::size_t p) {
   Tensor A;

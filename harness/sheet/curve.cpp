@@ -34,11 +34,11 @@ double rest_of(std::span<const double> coefficients) {
 std::vector<double> tau_of_eps(const Material& material, const Path& loading, std::span<const double> eps) {
   const std::size_t n = eps.size();
   std::vector<double> all(9 * n);
-  std::vector<double> state0 = material.initial_state(1, {}, loading.material_direction), state1(state0.size());
+  const std::vector<double> state0 = material.initial_state(1, {}, loading.material_direction);
   for (std::size_t p = 0; p < n; ++p) {
     const Tensor F = loading.deformation_gradient(eps[p], 1);
-    const Tensor sigma = checked_step(material, eps[p], 0, 1, Tensor::Identity(), F, state0.data(), state1.data());
-    put_point(nine_of(first_piola_kirchhoff(sigma, F)), all.data(), n, p);
+    const Tensor sigma = stepped(material, 0, 1, Tensor::Identity(), F, state0, eps[p]).cauchy;
+    put_tensor(first_piola_kirchhoff(sigma, F), all.data(), n, p);
   }
   return all;
 }

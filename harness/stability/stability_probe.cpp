@@ -122,8 +122,8 @@ std::vector<std::vector<double>> StabilityProbe::settled_states(double xi, doubl
   if (size == 0) return settled;
   std::vector<double> F0(9 * n), F1(9 * n), cauchy(9 * n), before(size * n), after(size * n);
   for (std::size_t p = 0; p < n; ++p) {
-    put_point(nine_of(steps[p].F0), F0.data(), n, p);
-    put_point(nine_of(steps[p].F1), F1.data(), n, p);
+    put_tensor(steps[p].F0, F0.data(), n, p);
+    put_tensor(steps[p].F1, F1.data(), n, p);
     put_point(steps[p].state0, before.data(), n, p);
   }
   checked_update(material_, xi, t, dt, n, F0.data(), F1.data(), before.data(), after.data(), cauchy.data());

@@ -111,8 +111,8 @@ class Screen {
   /// From end to end of the range.
   std::vector<double> places() const {
     const Interval& range = path_.parameter;
-    std::vector<double> xi{range.lower};
-    for (const double x : between(range.lower, range.upper, 2 * screened_fractions)) xi.push_back(x);
+    std::vector<double> xi = between(range.lower, range.upper, 2 * screened_fractions);
+    xi.insert(xi.begin(), range.lower);
     return xi;
   }
 

@@ -25,8 +25,8 @@ struct ProbedBatch {
     for (std::size_t p = 0; p < n; ++p) {
       const ProbedStep& step = steps[p / sides];
       const std::size_t side = p % sides;
-      put_point(nine_of(step.F0), before.data(), n, p);
-      put_point(nine_of(step.F1), after.data(), n, p);
+      put_tensor(step.F0, before.data(), n, p);
+      put_tensor(step.F1, after.data(), n, p);
       if (material.takes(static_cast<int>(side / 2))) after[side / 2 * n + p] += side % 2 ? size : -size;
       put_point(step.state0, state0.data(), n, p);
     }

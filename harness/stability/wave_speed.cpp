@@ -22,9 +22,7 @@ double own_wave_speed(const Material& material, const Offer<assay_wave_speed>& o
   std::vector<double> F(9 * n), speed(n);
   double fastest = 0;
   for (std::size_t row = 0; row < h.times.size(); ++row) {
-    for (std::size_t p = 0; p < n; ++p) {
-      put_point(nine_of(path.deformation_gradient(h.xi[p], h.times[row])), F.data(), n, p);
-    }
+    for (std::size_t p = 0; p < n; ++p) put_tensor(path.deformation_gradient(h.xi[p], h.times[row]), F.data(), n, p);
     if (offer(density, n, F.data(), h.points[row].cauchy.data(), h.points[row].state.data(), speed.data()) ==
         ASSAY_FAILED) {
       throw MaterialFailure(with_reason("the material failed to give its wave speed", material), h.xi[0], h.times[row]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // docs/causes.md has a section for every cause that a check can name, and the program prints it.
-#include "drivers/check/causes_page.hpp"
+#include "drivers/check/check.hpp"
 
 #include <gtest/gtest.h>
 

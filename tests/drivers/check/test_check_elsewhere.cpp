@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_elsewhere.hpp"
+#include "drivers/check/check_foreign.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

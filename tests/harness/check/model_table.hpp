@@ -14,13 +14,13 @@
 #include <tuple>
 #include <vector>
 
-#include "harness/check/state_variable.hpp"
 #include "harness/check/stiffness.hpp"
+#include "harness/material/state_variable.hpp"
 #include "tests/harness/check/mutants.hpp"
 
 namespace assay::check_tests {
 
-using check::sheared;
+using assay::sheared;
 
 /// 13 and 23 in each other's place.
 inline Tensor exchanged(const Tensor& A) { return check::in_order({0, 2, 1}, A); }
@@ -37,7 +37,7 @@ inline void write(const Tensor& A, double* a, std::size_t n, std::size_t p, std:
 }
 
 /// A symmetric tensor of the state of a single point.
-inline Tensor read_symmetric(const double* six) { return check::Variable(ASSAY_SYMMETRIC_TENSOR, six).value(); }
+inline Tensor read_symmetric(const double* six) { return Variable(ASSAY_SYMMETRIC_TENSOR, six).value(); }
 
 inline void write_symmetric(const Tensor& A, double* six) {
   constexpr int places[] = {0, 4, 8, 1, 2, 5};

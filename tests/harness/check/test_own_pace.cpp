@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Models that relax in much less time than the steps of the tests take are judged in steps of their own.
-#include "harness/check/own_pace.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "harness/check/tests.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/harness/check/mutants.hpp"
 #include "tests/harness/elastic_material.hpp"
@@ -57,7 +56,8 @@ void expect_named(const std::function<bool(const std::string&)>& chosen) {
   constexpr double faster = 1e6;
   for (const check_tests::Subject& subject : check_tests::viscous_mutants::subjects()) {
     if (!chosen(subject.name)) continue;
-    const Report report = quickly(check::at_pace(subject.material, faster));
+    const Material& model = subject.material;
+    const Report report = quickly(Material(&model.table(), model.named_parameters(), faster));
     EXPECT_EQ(report.passes(), subject.cause.empty()) << subject.name << ": " << said_of(report);
     // In steps of its own an explicit spin is seen in a stress that the body has from the beginning.
     const std::string other = subject.cause == check::causes::explicit_spin ? check::causes::initial_stress : "";

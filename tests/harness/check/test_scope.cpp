@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the battery has not tested is said, and what was asked for and is not reached is a failure.
-#include "harness/check/loading.hpp"
+#include "harness/check/tests.hpp"
 
 #include <gtest/gtest.h>
 

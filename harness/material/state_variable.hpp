@@ -8,7 +8,7 @@
 #include "harness/numeric/largest.hpp"
 #include "harness/numeric/tensor.hpp"
 
-namespace assay::check {
+namespace assay {
 
 /// Shear components times a factor.
 inline Tensor sheared(Tensor A, double factor) {
@@ -70,7 +70,7 @@ class Variable {
 
 /// A variable of a material's state, and its components among those of one point.
 struct StatePlace {
-  const char* name;
+  const char *name, *unit;
   std::int32_t kind, role;
   std::size_t first, size;
 
@@ -87,10 +87,10 @@ inline std::vector<StatePlace> state_of(const assay_material& table) {
   for (std::uint32_t v = 0; v < table.state_count; ++v) {
     const assay_state_variable& variable = table.state[v];
     const auto size = static_cast<std::size_t>(components_of_kind(variable.kind));
-    all.push_back({variable.name, variable.kind, variable.role, first, size});
+    all.push_back({variable.name, variable.unit, variable.kind, variable.role, first, size});
     first += size;
   }
   return all;
 }
 
-}  // namespace assay::check
+}  // namespace assay
