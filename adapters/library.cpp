@@ -5,7 +5,6 @@
 #include <sys/statvfs.h>
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 
 #include "adapters/elf_symbols.hpp"

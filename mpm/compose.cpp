@@ -6,7 +6,6 @@
 #include "mpm/step/run_kernels.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace assay::mpm {
 

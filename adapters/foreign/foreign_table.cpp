@@ -3,8 +3,6 @@
 
 #include <dlfcn.h>
 
-#include <cstring>
-
 #include "adapters/elf_symbols.hpp"
 #include "adapters/foreign/foreign_calls.hpp"
 #include "adapters/foreign/foreign_library.hpp"

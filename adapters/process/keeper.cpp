@@ -20,7 +20,6 @@
 #include "adapters/process/descendants.hpp"
 #include "adapters/process/kept_process.hpp"
 #include "adapters/process/process_watch.hpp"
-#include "harness/material/own_process.hpp"
 #include "harness/material/progress_mark.hpp"
 
 namespace assay::adapters {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/worker/table_pack.hpp"
 
-#include <cstring>
 #include <stdexcept>
 #include <type_traits>
 

@@ -12,7 +12,6 @@
 #include "drivers/material/registry.hpp"
 #include "drivers/output/junit.hpp"
 #include "drivers/output/pages.hpp"
-#include "drivers/scene/material_path.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"

@@ -12,7 +12,6 @@
 #include <system_error>
 
 #include "adapters/process/fate.hpp"
-#include "adapters/process/process_watch.hpp"
 #include "adapters/process/shortage.hpp"
 #include "drivers/system/exit_guard.hpp"
 #include "drivers/system/input_error.hpp"

@@ -14,7 +14,6 @@
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/system/own_files.hpp"
 #include "harness/check/march.hpp"
-#include "harness/material/own_process.hpp"
 #include "harness/material/progress_mark.hpp"
 
 namespace assay::drivers {

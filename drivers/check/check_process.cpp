@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 
-#include "adapters/process/fate.hpp"
 #include "adapters/process/shortage.hpp"
 #include "drivers/check/check_child.hpp"
 #include "drivers/check/check_material.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "adapters/foreign/foreign_state.hpp"
-#include "adapters/foreign/foreign_table.hpp"
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/material/material_description.hpp"
 #include "drivers/system/input_error.hpp"

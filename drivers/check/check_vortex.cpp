@@ -2,7 +2,6 @@
 // The vortex with the material that is checked, beside one of the same stiffness.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 
 #include "drivers/check/check_material.hpp"

@@ -9,7 +9,6 @@
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/check/check_material.hpp"
 #include "drivers/check/replay.hpp"
-#include "drivers/result/result.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/simulate.hpp"

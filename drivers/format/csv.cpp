@@ -7,7 +7,6 @@
 
 #include "drivers/format/number_slips.hpp"
 #include "drivers/format/yaml_lines.hpp"
-#include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"

@@ -2,7 +2,6 @@
 #include "drivers/format/number_slips.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <string_view>
 #include <vector>
 

@@ -2,7 +2,6 @@
 #include "drivers/format/yaml_lines.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "drivers/format/yaml_reader.hpp"
 #include "drivers/text/unseen.hpp"

@@ -2,7 +2,6 @@
 #include "drivers/format/yaml_lines.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 #include <vector>
 

@@ -2,7 +2,6 @@
 #include "drivers/material/abaqus_deck.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 

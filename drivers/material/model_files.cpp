@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "drivers/format/yaml_values.hpp"
-#include "drivers/scene/material_path.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/whole_file.hpp"
 

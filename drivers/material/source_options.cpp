@@ -13,7 +13,6 @@
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
-#include "drivers/system/terminal.hpp"
 #include "drivers/system/whole_file.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/sha256.hpp"

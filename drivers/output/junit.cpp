@@ -9,7 +9,6 @@
 #include <fstream>
 
 #include "drivers/picture/drawing.hpp"
-#include "drivers/scene/material_path.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/whole_file.hpp"

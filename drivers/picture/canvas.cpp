@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <new>
-#include <numbers>
 #include <stdexcept>
 
 #include "drivers/picture/stroke_font.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/picture/ticks.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/scene/body_box.hpp"
 
-#include <algorithm>
 #include <cmath>
-
-#include "drivers/scene/scene.hpp"
 
 namespace assay::drivers {
 

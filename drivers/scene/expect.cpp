@@ -2,12 +2,10 @@
 #include "drivers/scene/expect.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "drivers/format/yaml_values.hpp"
 #include "drivers/format/yaml_writer.hpp"
-#include "drivers/result/result_json.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/words.hpp"
 

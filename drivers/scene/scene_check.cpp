@@ -2,7 +2,6 @@
 #include "drivers/scene/scene_reader.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene_keys.hpp"

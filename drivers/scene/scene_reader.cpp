@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
 #include "drivers/format/file_kind.hpp"
 #include "drivers/format/number_slips.hpp"

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "drivers/material/material_choice.hpp"
 #include "drivers/scene/body_box.hpp"
-#include "drivers/scene/scene.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/simulation/body_faces.hpp"
 #include "drivers/simulation/time_steps.hpp"

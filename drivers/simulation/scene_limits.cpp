@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/simulation/problem.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/body_faces.hpp"
 #include "drivers/text/numbers.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/system/interrupt.hpp"

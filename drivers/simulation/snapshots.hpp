@@ -2,7 +2,6 @@
 // Snapshots of a run: VTU files for ParaView, frames for the pictures.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/simulation/time_steps.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -9,7 +8,6 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene.hpp"
-#include "drivers/simulation/problem.hpp"
 #include "drivers/text/numbers.hpp"
 #include "harness/stability/wave_speed.hpp"
 

@@ -6,7 +6,6 @@
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
-#include "drivers/system/interrupt.hpp"
 #include "drivers/system/progress.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/words.hpp"

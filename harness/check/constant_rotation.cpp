@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A frame that is turned once for all, what any model keeps exactly; and a body that is, with its frame or without.
-#include <algorithm>
 #include <cmath>
 
 #include "harness/check/frame_twins.hpp"

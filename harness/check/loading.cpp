@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Why a material cannot be loaded at all, how far and in which steps it can, and what the tests have not seen of it.
 #include <system_error>
-#include <utility>
 
 #include "harness/check/tests.hpp"
 #include "harness/material/offer.hpp"

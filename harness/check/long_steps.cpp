@@ -2,7 +2,6 @@
 // Steps that are longer than the times in which a material relaxes.
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "harness/check/judge.hpp"

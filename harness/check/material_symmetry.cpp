@@ -2,9 +2,7 @@
 // The tests of a material that declares a class of symmetry (assay.symmetry/1): about some axes, which are found, it
 // answers as the class says.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "harness/check/frame_twins.hpp"
 #include "harness/check/stiffness.hpp"

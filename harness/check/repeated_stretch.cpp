@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two or three principal stretches that are equal, or nearly so: where a spectral form divides by their difference.
 #include <algorithm>
-#include <cmath>
 
 #include "harness/check/frame_twins.hpp"
 #include "harness/check/tests.hpp"

@@ -2,7 +2,6 @@
 #include "harness/exact/shadow.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "harness/numeric/largest.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The side that answers.
-#include <optional>
 #include <stdexcept>
 
 #include "harness/history/history_fields.hpp"

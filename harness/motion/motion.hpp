@@ -2,7 +2,6 @@
 // An exact motion that a scene can ask for. A new one is a new file in harness/motion/kinds.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>

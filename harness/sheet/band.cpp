@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <thread>
 
 #include "harness/history/history_trail.hpp"

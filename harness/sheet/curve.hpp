@@ -2,7 +2,6 @@
 // tau(eps) of a material whose stress is a function of F alone, on a straight family of paths.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>

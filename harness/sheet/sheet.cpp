@@ -2,7 +2,6 @@
 #include "harness/sheet/sheet.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "harness/numeric/chebyshev.hpp"
 #include "harness/sheet/sheet_build.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
 
 #include "harness/history/history_trail.hpp"
 #include "harness/numeric/central_difference.hpp"

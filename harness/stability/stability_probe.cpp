@@ -2,7 +2,6 @@
 #include "harness/stability/stability_probe.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "harness/material/checked_update.hpp"
 #include "harness/numeric/stable_norm.hpp"

@@ -19,7 +19,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "mpm/grid/grid_field.hpp"
 #include "mpm/grid/grid_geometry.hpp"

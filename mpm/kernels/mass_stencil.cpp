@@ -2,7 +2,6 @@
 #include "mpm/kernels/mass_stencil.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>

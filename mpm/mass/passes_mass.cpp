@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/mass/passes_mass.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "mpm/mass/mass_matrix.hpp"
 #include "mpm/step/passes.hpp"
 

@@ -8,7 +8,6 @@
 #include "harness/material/material_failure.hpp"
 #include "mpm/data/blocks.hpp"
 #include "mpm/data/crew.hpp"
-#include "mpm/material/stress_blocks.hpp"
 
 namespace assay::mpm {
 

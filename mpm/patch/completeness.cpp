@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A prescribed nodal velocity v_i is read back by the step itself: with dt = 1 a particle moves by sum phi_ip v_i, and
 // L = sum v_i (x) grad phi_ip. Constant v_i: sum phi = 1, sum grad phi = 0. v_i = A x_i: sum phi x_i = x_p, L = A.
-#include <algorithm>
 #include <cmath>
 
 #include "harness/numeric/largest.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/patch/methods.hpp"
 
-#include <array>
-
 namespace assay::mpm {
 
 namespace {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One step without body force, particles of unequal mass, speed, F and stress on an irregular set.
-#include <algorithm>
 #include <cmath>
 
 #include "harness/numeric/largest.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // x = Q(omega t) X under b = -omega^2 x: the exact motion needs no stress, so that all error is the method's.
-#include <algorithm>
 #include <cmath>
 
 #include "harness/numeric/norms.hpp"

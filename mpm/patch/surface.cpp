@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A body of constant stress with the tractions that belong to it, none where it is free: the internal force and that of
 // the tractions must cancel at all nodes, those of the surface too.
-#include <algorithm>
 #include <cmath>
 
 #include "harness/motion/kinds/homogeneous.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/step/run_kernels.hpp"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>

@@ -9,7 +9,6 @@
 #include "drivers/output/html.hpp"
 #include "drivers/output/junit.hpp"
 #include "drivers/output/output_folder.hpp"
-#include "drivers/study/analysis/study_json.hpp"
 #include "drivers/study/pages/study_figures.hpp"
 #include "drivers/study/pages/study_sections.hpp"
 #include "drivers/study/pages/words.hpp"

@@ -2,7 +2,6 @@
 #include "drivers/study/pages/study_figures.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "drivers/picture/label_placer.hpp"
 #include "drivers/picture/ticks.hpp"

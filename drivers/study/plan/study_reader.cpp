@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
-#include <set>
 
 #include "drivers/format/file_kind.hpp"
 #include "drivers/format/yaml_values.hpp"

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/result/result_json.hpp"
-#include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/study/plan/study.hpp"
 

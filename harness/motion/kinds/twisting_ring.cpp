@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "harness/motion/registry.hpp"
 #include "harness/numeric/number_text.hpp"
