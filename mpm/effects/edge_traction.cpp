@@ -181,12 +181,7 @@ std::vector<Pass<2>> traction_passes(const Setup<2>& setup) {
 
 template <int Dim>
 EffectRecord<Dim> edge_traction_effect() {
-  EffectRecord<Dim> effect{50, "tractions by the corners of the domains on the surface", "traction.algorithm"};
-  effect.called_for = [](const Setup<Dim>& s) { return has_traction(s, TractionAlgorithm::edges); };
-  if constexpr (Dim == 2) effect.passes = traction_passes;
-  effect.asks_material = true;
-  effect.around = "loads of the surface";
-  return effect;
+  return traction_effect<Dim, TractionAlgorithm::edges>(50, "tractions by the corners of the domains on the surface");
 }
 
 template EffectRecord<2> edge_traction_effect();

@@ -16,6 +16,17 @@ bool has_traction(const Setup<Dim>& setup, TractionAlgorithm algorithm) {
 /// impulse and work, too.
 std::vector<Pass<2>> traction_passes(const Setup<2>& setup);
 
+/// The record of such an algorithm.
+template <int Dim, TractionAlgorithm algorithm>
+EffectRecord<Dim> traction_effect(int place, const char* doc) {
+  EffectRecord<Dim> effect{place, doc, "traction.algorithm"};
+  effect.called_for = [](const Setup<Dim>& s) { return has_traction(s, algorithm); };
+  if constexpr (Dim == 2) effect.passes = traction_passes;
+  effect.asks_material = true;
+  effect.around = "loads of the surface";
+  return effect;
+}
+
 /// The particles' stress without that of the exact motion: what internal forces are made of. On the exact state nothing
 /// is left, inside and on the surface. The reference form takes off the exact P.
 Pass<2> virtual_stress_pass(TractionForm form);
