@@ -153,7 +153,7 @@ class CallPassage {
   std::size_t take(std::size_t*) const { return n_; }
   double take(double*) const { return arrays_.head().scalar; }
   std::int32_t take(std::int32_t*) const { return arrays_.head().choice; }
-  CallHead* take(CallHead**) const { return &arrays_.head(); }
+  CallHead* take(CallHead**) { return &arrays_.head(); }  // not const: or the template would be the nearer one
   const assay_step* take(const assay_step**) {
     const double* F0 = next(step_rows[0]);
     step_ = {arrays_.head().t, arrays_.head().dt, F0, next(step_rows[1])};
