@@ -208,7 +208,7 @@ Options without_elsewhere(Options options) {
 }
 
 Material at_pace(const Material& material, double pace) {
-  return Material(&material.table(), material.named_parameters(), pace);
+  return Material(&material.table(), material.named_parameters(), pace * material.pace());
 }
 
 /// Again at smaller strains as long as a step is refused.
