@@ -25,8 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-template <class T>
-bool read_at(std::ifstream& file, std::uint64_t offset, T& first, std::size_t count = 1) {
+bool read_at(std::ifstream& file, std::uint64_t offset, auto& first, std::size_t count = 1) {
   file.clear();
   file.seekg(static_cast<std::streamoff>(offset));
   return static_cast<bool>(
@@ -115,8 +114,7 @@ Section<Entry> section_of(const std::string& path, std::uint32_t kind) {
 }
 
 /// Names of the dynamic symbols that `chosen` takes, sorted.
-template <class Chosen>
-std::vector<std::string> symbols_of(const std::string& path, const Chosen& chosen) {
+std::vector<std::string> symbols_of(const std::string& path, const auto& chosen) {
   const auto [symbols, strings] = section_of<Elf64_Sym>(path, SHT_DYNSYM);
   std::vector<std::string> names;
   for (const Elf64_Sym& symbol : symbols) {

@@ -78,8 +78,7 @@ class ForeignCalls {
 
  private:
   /// What fails at a point is the reason.
-  template <class Work>
-  static std::int32_t of_each_point(void* self, std::size_t n, const Work& work) {
+  static std::int32_t of_each_point(void* self, std::size_t n, const auto& work) {
     auto& s = *static_cast<ForeignCalls*>(self);
     const CallMark mark;
     const auto lock = s.turn();

@@ -17,9 +17,8 @@ double shear_of(const StateLayout& layout, Kind kind) {
 }
 
 /// Of each variable: convert(shear, from, to) where it is a symmetric tensor; all else is the same on both sides.
-template <class Convert>
 void convert_state(const StateLayout& layout, const std::vector<ForeignVariable>& variables, const double* from,
-                   double* to, const Convert& convert) {
+                   double* to, const auto& convert) {
   for (const ForeignVariable& variable : variables) {
     const int n = components_of(variable.kind);
     if (abi_kind(variable.kind) == ASSAY_SYMMETRIC_TENSOR)

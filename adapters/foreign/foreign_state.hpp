@@ -58,16 +58,14 @@ inline Tensor tensor_at(const double* nine, std::size_t n, std::size_t p) {
 }
 
 /// The names of a list's elements, "a, b".
-template <class List>
-std::string listed_names(const List& list) {
+std::string listed_names(const auto& list) {
   std::string names;
   for (const auto& each : list) names += (names.empty() ? "" : ", ") + each.name;
   return names;
 }
 
 /// Whether one of them has that name.
-template <class List>
-bool has_name(const List& list, const std::string& name) {
+bool has_name(const auto& list, const std::string& name) {
   return std::ranges::find(
              list, name, [](const auto& each) -> const auto& { return each.name; }) != list.end();
 }

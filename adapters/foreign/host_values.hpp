@@ -85,9 +85,7 @@ class BeyondProbe {
 
   /// After a call that left `outputs`; `again` hands over and calls. Throws PointFailure where the outputs hang on
   /// words beyond the arrays; a call that is not the same when it is repeated tells nothing.
-  template <class Again>
-  void look(GuardedArrays& arrays, std::initializer_list<std::size_t> outputs, const char* counted,
-            const Again& again) {
+  void look(GuardedArrays& arrays, std::initializer_list<std::size_t> outputs, const char* counted, const auto& again) {
     const auto left = [&] {
       std::vector<double> all;
       for (const std::size_t k : outputs) all.insert(all.end(), arrays[k], arrays[k] + arrays.size(k));

@@ -16,8 +16,7 @@ Tensor left_strain(const Tensor& f) { return 0.5 * models::logarithm(Tensor(f * 
 Tensor midpoint_rate(const Tensor& A0, const Tensor& A1) { return 2 * (A1 - A0) * (A0 + A1).inverse(); }
 
 /// d f(s) / ds at s = 0 by central differences of fourth order, good to 1e-11 of smooth kinematics.
-template <class F>
-StepStrain slope(const F& f) {
+StepStrain slope(const auto& f) {
   constexpr double h = 1e-4;
   const StepStrain a = f(h), b = f(-h), c = f(2 * h), d = f(-2 * h);
   return {(8 * (a.strain - b.strain) - (c.strain - d.strain)) / (12 * h),

@@ -46,8 +46,7 @@ std::vector<ForeignVariable> Mfront::state_of(const ForeignModel& model) {
 }
 
 /// Where a behaviour keeps its own state: outputs at the end of a step, inputs at its beginning.
-template <class Add>
-void Mfront::add_own(Arrays& a, const Add& add) {
+void Mfront::add_own(Arrays& a, const auto& add) {
   a.forces = add("the thermodynamic forces", 6);
   a.internal = add("the internal state variables", size_of(behaviour_.internal));
   a.stored = add("the stored energy", 1);

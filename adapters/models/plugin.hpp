@@ -71,8 +71,7 @@ inline void put_tensor(const Tensor& A, double* a, std::size_t n, std::size_t p)
 }
 
 /// Calls `body`; a failure becomes a status and, where there is room for one, a message.
-template <class Body>
-std::int32_t guarded(char* message, const Body& body) noexcept {
+std::int32_t guarded(char* message, const auto& body) noexcept {
   try {
     body();
     return ASSAY_GOOD;
@@ -85,8 +84,7 @@ std::int32_t guarded(char* message, const Body& body) noexcept {
 }
 
 /// body(p) for each of n points; without a message.
-template <class Body>
-std::int32_t each_point(std::size_t n, const Body& body) noexcept {
+std::int32_t each_point(std::size_t n, const auto& body) noexcept {
   return guarded(nullptr, [&] {
     for (std::size_t p = 0; p < n; ++p) body(p);
   });

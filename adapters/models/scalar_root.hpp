@@ -13,8 +13,7 @@ namespace assay::models {
 /// Where f goes through 0 in the sense of `slope` between low and high (may be infinite), to |f| <= tolerance, x being
 /// the last argument that f was given: from `guess` with that slope, then secant steps; bisection (doubling) where they
 /// leave the bracket. NaN where that does not settle.
-template <class Function>
-double root_between(const Function& f, double low, double high, double guess, double slope, double tolerance) {
+double root_between(const auto& f, double low, double high, double guess, double slope, double tolerance) {
   constexpr int most = 200;
   const bool rises = slope > 0;
   double x = guess, before = guess, f_before = 0;

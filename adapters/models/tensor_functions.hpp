@@ -243,8 +243,7 @@ struct Moving {
 };
 
 /// f(A) and its rate along dA/dt = A_rate, f a function of a tensor of any scalar type.
-template <class Function>
-Moving moving_along(const Function& f, const Tensor& A, const Tensor& A_rate) {
+Moving moving_along(const auto& f, const Tensor& A, const Tensor& A_rate) {
   using Along = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
   TensorOf<Along> moving;
   for (int i = 0; i < 9; ++i) moving.data()[i] = Along(A.data()[i], Eigen::Matrix<double, 1, 1>(A_rate.data()[i]));
@@ -257,8 +256,7 @@ Moving moving_along(const Function& f, const Tensor& A, const Tensor& A_rate) {
   return found;
 }
 
-template <class Function>
-Tensor derivative_along(const Function& f, const Tensor& A, const Tensor& A_rate) {
+Tensor derivative_along(const auto& f, const Tensor& A, const Tensor& A_rate) {
   return moving_along(f, A, A_rate).rate;
 }
 

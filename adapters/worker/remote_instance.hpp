@@ -71,8 +71,7 @@ class Lease {
 
 /// Whether `attempt(slot)` is done in a worker, best one that has the instance. Where it was killed, which a model does
 /// to itself again and again, another worker is asked, once.
-template <class Attempt>
-bool in_worker(RemoteTable& table, std::uint64_t instance, const Attempt& attempt) {
+bool in_worker(RemoteTable& table, std::uint64_t instance, const auto& attempt) {
   for (const bool again : {false, true}) {
     Lease lease(table, instance);
     const bool done = attempt(lease.slot());
@@ -96,14 +95,12 @@ class Instance {
 
   /// Room for a call's arrays, filled by `in`; `out` reads the answer. False with a reason: the worker died, refused to
   /// make the instance, or wrote where it must not. `dead(worker)`: what its memory still tells, if it died.
-  template <class In, class Out, class Dead>
-  bool call(Operation operation, std::size_t n, const In& in, const Out& out, const Dead& dead) {
+  bool call(Operation operation, std::size_t n, const auto& in, const auto& out, const auto& dead) {
     return in_worker(table_, id_, [&](Slot& slot) { return call_in(slot, operation, n, in, out, dead); });
   }
 
   /// The same in a worker that is at hand, once.
-  template <class In, class Out, class Dead>
-  bool call_in(Slot& slot, Operation operation, std::size_t n, const In& in, const Out& out, const Dead& dead) {
+  bool call_in(Slot& slot, Operation operation, std::size_t n, const auto& in, const auto& out, const auto& dead) {
     reason.clear();
     ++table_.hand_overs;
     if (!known_to(slot)) return false;

@@ -34,8 +34,7 @@ struct Pack {
     raw(copy.data(), copy.size());
     if (reads) text = words->emplace_back(std::move(copy)).c_str();
   }
-  template <class List>
-  void size(List& list) {
+  void size(auto& list) {
     std::size_t count = list.size();
     item(count);
     if (reads && count > bytes.size() - at) throw std::runtime_error("the worker's answer is cut");

@@ -9,8 +9,7 @@ namespace assay::drivers {
 namespace {
 
 /// What a test beside the battery finds, told as the battery tells its own.
-template <class Test>
-std::optional<ForeignFinding> told(const char* id, const CheckReporter& reporter, const Test& test) {
+std::optional<ForeignFinding> told(const char* id, const CheckReporter& reporter, const auto& test) {
   if (reporter.begins) reporter.begins(id);
   const Stopwatch watch;
   std::optional<ForeignFinding> found = test();

@@ -115,8 +115,7 @@ void note_use(const std::string& text, std::size_t at, std::size_t end, ArrayUse
 }
 
 /// Calls `found(text, begin, end)` for every place of a name in statements that are executed.
-template <class Found>
-void for_each_use(std::span<const FortranStatement> statements, const std::string& name, const Found& found) {
+void for_each_use(std::span<const FortranStatement> statements, const std::string& name, const auto& found) {
   for (const auto& [line, text] : statements) {
     FortranRoutine head;
     if (declares(text) || begins_subroutine(text, head)) continue;

@@ -82,8 +82,7 @@ class FieldList {
   void section(const std::string& key, const std::optional<T>&) {
     operator()(key, T());
   }
-  template <class Fields>
-  void section(const std::string& key, const Fields& fields) {
+  void section(const std::string& key, const auto& fields) {
     const std::string before = std::exchange(prefix_, prefix_ + key + ".");
     fields(*this);
     prefix_ = before;

@@ -62,8 +62,7 @@ class JsonFields {
     T::fields(present, inner);
     json_[key] = std::move(inner.json_);
   }
-  template <class Fields>
-  void section(const char* key, const Fields& fields) {
+  void section(const char* key, const auto& fields) {
     JsonFields inner;
     inner.is_absent_ = is_absent_;
     fields(inner);

@@ -21,8 +21,7 @@ FlatValue leaf(const Json& value) {
   return std::monostate{};
 }
 
-template <typename Visit>
-void visit_leaves(const Json& object, const std::string& prefix, const Visit& visit) {
+void visit_leaves(const Json& object, const std::string& prefix, const auto& visit) {
   for (const auto& item : object.items()) {
     const std::string key = prefix.empty() ? item.key() : prefix + "." + item.key();
     if (item.value().is_object()) {

@@ -82,8 +82,7 @@ inline Key key_by(const std::string& path, const std::string& doc, KeyType type,
 }
 
 /// at(scene): the address of the member; null where the scene has no such section.
-template <class At>
-Key key(const std::string& path, const std::string& doc, At at, KeyRules rules = {}) {
+Key key(const std::string& path, const std::string& doc, auto at, KeyRules rules = {}) {
   using Member = std::remove_pointer_t<decltype(at(std::declval<Scene&>()))>;
   using Kept = typename Optional<Member>::Kept;
   if constexpr (std::is_enum_v<Kept>) {

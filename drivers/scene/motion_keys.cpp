@@ -39,8 +39,7 @@ class EachKey final : public MotionKeys {
   bool show(const MotionKey& key, T& value) {
     return answered(show_(key, type_of<T>(), {}, value_of(value)), value);
   }
-  template <class T>
-  static bool answered(const Answer& answer, T& value) {
+  static bool answered(const Answer& answer, auto& value) {
     if (answer) give(value, *answer);
     return answer.has_value();
   }

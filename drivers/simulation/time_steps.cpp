@@ -68,8 +68,7 @@ double fastest_of(const InitialVelocity& v, const Box& box) {
 }
 
 /// The largest of what is asked of the exact motion's states, all over the body until the end; at least 0.
-template <class Of>
-double largest_of_motion(const Scene& scene, const Of& of) {
+double largest_of_motion(const Scene& scene, const auto& of) {
   double largest = 0;
   for (const Vector3& X : places_of(scene)) {
     for (int k = 0; k <= speed_samples; ++k)

@@ -70,8 +70,7 @@ bool is_unseen(std::uint32_t code) {
 
 /// The text with what `instead` gives in the place of a character, unless that is empty; a question mark for a byte
 /// that is no UTF-8.
-template <class Instead>
-std::string replaced(std::string_view text, const Instead& instead) {
+std::string replaced(std::string_view text, const auto& instead) {
   std::string out;
   for_each_character(text, [&](std::uint32_t code, std::string_view bytes) {
     const std::string other = code == no_character ? "?" : instead(code);
@@ -80,8 +79,7 @@ std::string replaced(std::string_view text, const Instead& instead) {
   return out;
 }
 
-template <class IsWritten>
-std::string written(std::string_view text, bool breaks, const IsWritten& is_written) {
+std::string written(std::string_view text, bool breaks, const auto& is_written) {
   return replaced(text, [&](std::uint32_t code) -> std::string {
     if (!breaks && (code == '\t' || code == '\n' || code == '\r')) return " ";
     return is_written(code) ? "<" + number_of(code) + ">" : "";

@@ -65,10 +65,7 @@ std::vector<std::string> words_of() {
 }
 
 /// The name of one of its values.
-template <class Enum>
-std::string word_of(Enum value) {
-  return names_of(value)[static_cast<std::size_t>(value)];
-}
+std::string word_of(auto value) { return names_of(value)[static_cast<std::size_t>(value)]; }
 
 /// "virtual_stress" as "virtual stress".
 inline std::string in_plain_words(std::string text) {

@@ -104,8 +104,7 @@ class Diagnostician {
     }
   }
 
-  template <class Predicate>
-  void add_failures(const Predicate& predicate) {
+  void add_failures(const auto& predicate) {
     for (const TestResult& test : facts_.tests) {
       if (test.verdict == Verdict::fail && predicate(test)) add(test.cause, test.sentence);
     }

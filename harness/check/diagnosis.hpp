@@ -58,8 +58,7 @@ struct Facts {
   bool is_explained(const std::string& id) const {
     return std::any_of(explained.begin(), explained.end(), [&](Explains group) { return is_of(group, id); });
   }
-  template <class Predicate>
-  bool any_failure(const Predicate& predicate) const {
+  bool any_failure(const auto& predicate) const {
     return std::any_of(tests.begin(), tests.end(),
                        [&](const TestResult& test) { return test.verdict == Verdict::fail && predicate(test); });
   }

@@ -6,14 +6,12 @@ namespace assay::check {
 
 namespace {
 
-template <class Test>
-std::function<TestResult(const Specimen&, Evidence&)> plain(Test test) {
+std::function<TestResult(const Specimen&, Evidence&)> plain(auto test) {
   return [test](const Specimen& specimen, Evidence&) { return test(specimen); };
 }
 
 /// What a material that grows cannot hold, since time brings stress and work.
-template <class Test>
-std::function<TestResult(const Specimen&, Evidence&)> unless_it_grows(Test test) {
+std::function<TestResult(const Specimen&, Evidence&)> unless_it_grows(auto test) {
   return [=](const Specimen& specimen, Evidence& evidence) {
     return specimen.material->has(ASSAY_GROWS)
                ? left_out("the model declares that it grows: time brings stress and work of its own")
@@ -22,8 +20,7 @@ std::function<TestResult(const Specimen&, Evidence&)> unless_it_grows(Test test)
 }
 
 /// A test of rotation whose finding the diagnosis looks at.
-template <class Test>
-std::function<TestResult(const Specimen&, Evidence&)> kept(RotationFinding Evidence::*place, Test test) {
+std::function<TestResult(const Specimen&, Evidence&)> kept(RotationFinding Evidence::*place, auto test) {
   return [=](const Specimen& specimen, Evidence& evidence) {
     evidence.*place = test(specimen);
     return (evidence.*place).result;

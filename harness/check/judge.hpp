@@ -38,8 +38,7 @@ Limit limit_of(const Errors& errors);
 std::string how(const Limit& limit, const Errors& errors, int steps);
 
 /// error_of(N), error_of(2N) and error_of(4N).
-template <class ErrorOf>
-Errors at_halved_steps(int steps, const ErrorOf& error_of) {
+Errors at_halved_steps(int steps, const auto& error_of) {
   Errors errors{};
   for (int k = 0; k < 3; ++k) errors[static_cast<std::size_t>(k)] = error_of(steps << k);
   return errors;

@@ -166,16 +166,14 @@ void litter_heap(unsigned char byte) {
 }
 
 /// A call so many bytes deeper in the stack: multiples of 64 leave the alignment of what is there.
-template <class Call>
-[[gnu::noinline]] auto deeper(std::size_t bytes, const Call& call) {
+[[gnu::noinline]] auto deeper(std::size_t bytes, const auto& call) {
   void* room = alloca(bytes);
   __asm__ volatile("" : : "r"(room) : "memory");
   return call();
 }
 
 /// A call from arrays elsewhere: others of their sizes take the places that they had.
-template <class Call>
-auto from_elsewhere(std::size_t count, std::size_t state_size, const Call& call) {
+auto from_elsewhere(std::size_t count, std::size_t state_size, const auto& call) {
   constexpr std::size_t more = cache_line / sizeof(double);
   std::vector<std::vector<double>> others;
   for (std::size_t k = 0; k < count; ++k) {

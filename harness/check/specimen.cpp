@@ -214,8 +214,7 @@ namespace {
 
 /// How far the stress is from a smooth course along neighbouring steps, over the stress. What a kink does happens once;
 /// of the steps of rounding there are many.
-template <class StressOf>
-double roughness(const Specimen& specimen, const StressOf& stress_of_place) {
+double roughness(const Specimen& specimen, const auto& stress_of_place) {
   constexpr double change = 4e-8;  // relative: less than 2^-24, whose steps then show, and 1e8 times those of 53 bits
   constexpr int neighbours = 33;
   std::vector<Tensor> stress;

@@ -14,8 +14,7 @@ namespace assay::check {
 namespace {
 
 /// d f / d F by central differences of fourth order, `f` a stress: [row of f][column of F]; zero outside the space.
-template <class F>
-Tangent by_differences(const Space& space, const F& f, const Tensor& at, double h) {
+Tangent by_differences(const Space& space, const auto& f, const Tensor& at, double h) {
   Tangent slope = Tangent::Zero();
   for (int column = 0; column < 9; ++column) {
     if (!space.has(column)) continue;
@@ -99,8 +98,7 @@ Tangents tangents_of(Specimen specimen, double amplitude, const Offer<assay_tang
 
 /// The largest differences between derivatives forward and backward in each component of F: a kink where they are not
 /// small against the derivatives.
-template <class F>
-double one_sided(const Space& space, const F& f, const Tensor& at, const Tangent& slope, double h) {
+double one_sided(const Space& space, const auto& f, const Tensor& at, const Tangent& slope, double h) {
   double most = 0;
   const Tensor middle = f(at);
   for (int column = 0; column < 9; ++column) {
@@ -158,8 +156,7 @@ void judge_beside_histories(const Specimen& specimen, const Offer<assay_tangent>
 }
 
 /// By how wrong each is.
-template <class Named>
-auto least_of(const Named& all) {
+auto least_of(const auto& all) {
   return std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
 }
 

@@ -142,8 +142,7 @@ class Marcher {
   }
 
   /// add(sign of a variable, whether the step from state0_ to state1_ has changed it).
-  template <class Add>
-  void note(std::vector<char>& signs, const Add& add) const {
+  void note(std::vector<char>& signs, const auto& add) const {
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const StatePlace& place = places_[k];
       add(signs[k], variable_changes(place.kind, &state0_[place.first], &state1_[place.first]));

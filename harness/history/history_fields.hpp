@@ -30,52 +30,24 @@ struct FailureFacts {
   FailedStep step = {};
 };
 
-template <class Archive>
-void fields(Archive& archive, Interval& interval) {
-  archive(interval.lower, interval.upper);
-}
-template <class Archive>
-void fields(Archive& archive, PathFacts& facts) {
+void fields(auto& archive, Interval& interval) { archive(interval.lower, interval.upper); }
+void fields(auto& archive, PathFacts& facts) {
   archive(facts.recipe, facts.parameter, facts.direction[0], facts.direction[1], facts.direction[2]);
 }
-template <class Archive>
-void fields(Archive& archive, HistoryScales& scales) {
-  archive(scales.cauchy, scales.state);
-}
-template <class Archive>
-void fields(Archive& archive, ShortestTelling& shortest) {
-  archive(shortest.norm, shortest.stress);
-}
-template <class Archive>
-void fields(Archive& archive, CourseFacts& facts) {
+void fields(auto& archive, HistoryScales& scales) { archive(scales.cauchy, scales.state); }
+void fields(auto& archive, ShortestTelling& shortest) { archive(shortest.norm, shortest.stress); }
+void fields(auto& archive, CourseFacts& facts) {
   archive(facts.end, facts.by_rate, facts.telling, facts.regimes, facts.scales, facts.shortest);
 }
-template <class Archive>
-void fields(Archive& archive, HistoryOptions& options) {
-  archive(options.tolerance, options.watch);
-}
-template <class Archive>
-void fields(Archive& archive, StateSigns& signs) {
-  archive(signs.changes, signs.always, signs.ever, signs.any_start);
-}
-template <class Archive>
-void fields(Archive& archive, CoarseMarch& seen) {
-  archive(seen.largest, seen.signs, seen.shortest);
-}
-template <class Archive>
-void fields(Archive& archive, Branch& branch) {
-  archive(branch.begin, branch.regime);
-}
-template <class Archive>
-void fields(Archive& archive, HistoryTrail& trail) {
+void fields(auto& archive, HistoryOptions& options) { archive(options.tolerance, options.watch); }
+void fields(auto& archive, StateSigns& signs) { archive(signs.changes, signs.always, signs.ever, signs.any_start); }
+void fields(auto& archive, CoarseMarch& seen) { archive(seen.largest, seen.signs, seen.shortest); }
+void fields(auto& archive, Branch& branch) { archive(branch.begin, branch.regime); }
+void fields(auto& archive, HistoryTrail& trail) {
   archive(trail.width, trail.rows, trail.branches, trail.flickers, trail.error, trail.calls);
 }
-template <class Archive>
-void fields(Archive& archive, FailedStep& step) {
-  archive(step.t, step.dt, step.F0, step.F1, step.state0);
-}
-template <class Archive>
-void fields(Archive& archive, FailureFacts& facts) {
+void fields(auto& archive, FailedStep& step) { archive(step.t, step.dt, step.F0, step.F1, step.state0); }
+void fields(auto& archive, FailureFacts& facts) {
   archive(facts.kind, facts.what, facts.xi, facts.t, facts.not_finite, facts.is_final, facts.too_accurate,
           facts.has_step, facts.step);
 }

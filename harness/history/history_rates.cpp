@@ -31,8 +31,7 @@ class Checker : public odeint::default_error_checker<double, Explicit::algebra_t
   using Base = odeint::default_error_checker<double, Explicit::algebra_type, Explicit::operations_type>;
   Checker(double tolerance, double& found) : Base(tolerance, 0.0), found_(&found) {}
 
-  template <class State, class Rate, class Errors, class Time>
-  double error(Explicit::algebra_type& algebra, const State& x, const Rate& x_rate, Errors& errors, Time dt) const {
+  double error(Explicit::algebra_type& algebra, const auto& x, const auto& x_rate, auto& errors, auto dt) const {
     return *found_ = Base::error(algebra, x, x_rate, errors, dt);
   }
 
@@ -41,8 +40,7 @@ class Checker : public odeint::default_error_checker<double, Explicit::algebra_t
 };
 
 /// False where the step was too long: its error too large, or a stage so far off that the material fails there.
-template <class Stepper, class System>
-bool tried_step(Stepper& stepper, const System& system, Vector& x, double& t, double& dt, double shortest) {
+bool tried_step(auto& stepper, const auto& system, Vector& x, double& t, double& dt, double shortest) {
   try {
     return stepper.try_step(system, x, t, dt) == odeint::success;
   } catch (const MaterialFailure& failure) {

@@ -42,8 +42,7 @@ class RegimeReader {
   /// Of one point's step, components of the state in declared order.
   std::uint64_t of(const double* state0, const double* state1) const;
 
-  template <class Archive>
-  friend void fields(Archive& archive, RegimeReader& reader) {
+  friend void fields(auto& archive, RegimeReader& reader) {
     archive(reader.named_, reader.scalars_, reader.tensors_, reader.kinds_);
   }
 

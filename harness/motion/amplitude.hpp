@@ -30,9 +30,6 @@ struct Amplitude {
   std::vector<double> reversals(double end) const;
 };
 
-template <class Archive>
-void fields(Archive& archive, Amplitude& g) {
-  archive(g.type, g.peak, g.period);
-}
+void fields(auto& archive, Amplitude& g) { archive(g.type, g.peak, g.period); }
 
 }  // namespace assay

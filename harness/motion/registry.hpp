@@ -14,8 +14,7 @@ namespace assay {
 
 /// A path as numbers, for another process to make the same: what a motion keeps in its path's `recipe`. name: under
 /// which its file registers who makes the path again.
-template <class Parts>
-std::vector<double> recipe(std::string name, Parts parts) {
+std::vector<double> recipe(std::string name, auto parts) {
   NumberWriter writer;
   writer(name, parts);
   return std::move(writer.numbers);

@@ -9,8 +9,7 @@ namespace assay {
 constexpr int central_reach = 4;  ///< neighbours on either side
 
 /// d f / d x at 0 from f(k), the value at x = k step, k = -4 .. 4.
-template <class Function>
-auto central_difference(const Function& f, double step) {
+auto central_difference(const auto& f, double step) {
   constexpr double weights[central_reach] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
   using Value = std::decay_t<decltype(f(0))>;
   Value sum = weights[0] / step * (f(1) - f(-1));

@@ -11,9 +11,6 @@ namespace assay {
 inline double larger(double a, double b) { return a >= b || a != a ? a : b; }
 
 /// The largest |component|; NaN if one of them is.
-template <class Matrix>
-double largest_of(const Matrix& A) {
-  return A.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
-}
+double largest_of(const auto& A) { return A.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>(); }
 
 }  // namespace assay

@@ -48,8 +48,7 @@ inline constexpr std::size_t none_bad = ~std::size_t{0};
 inline std::size_t blocks_of(std::size_t particles) { return (particles + block_size - 1) / block_size; }
 
 /// body(begin, end) for all blocks of n particles, on so many threads.
-template <class Body>
-void for_blocks(std::size_t n, int threads, const Body& body) {
+void for_blocks(std::size_t n, int threads, const auto& body) {
   share_out(threads, blocks_of(n), [&](std::size_t b) {
     const std::size_t begin = b * block_size;
     body(begin, std::min(n, begin + block_size));

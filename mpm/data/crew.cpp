@@ -32,8 +32,7 @@ thread_local bool in_part = false;
 thread_local bool shares_core = false;  ///< there are more threads than cores: whoever waits sleeps
 
 /// ready(), looked at for a moment.
-template <class Ready>
-bool looked_for(const Ready& ready) {
+bool looked_for(const auto& ready) {
   if (shares_core) return ready();
   const auto end = std::chrono::steady_clock::now() + awake_for;
   do {

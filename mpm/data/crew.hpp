@@ -25,8 +25,7 @@ void await(const std::atomic<std::uint32_t>& value, std::uint32_t wanted);
 
 /// body(i) for i = 0 .. count - 1, each once. Members begin at different places, with neighbours one after the other,
 /// and then help the others.
-template <class Body>
-void share_out(int threads, std::size_t count, const Body& body) {
+void share_out(int threads, std::size_t count, const auto& body) {
   if (threads <= 1 || count <= 1) {
     for (std::size_t i = 0; i < count; ++i) body(i);
     return;

@@ -77,8 +77,7 @@ class VolumeAverage {
 
  private:
   /// body(cell or node, share of it)
-  template <class Body>
-  void visit(const std::array<double, Dim>& x, const Body& body) const {
+  void visit(const std::array<double, Dim>& x, const auto& body) const {
     std::array<double, Dim> part{};
     std::size_t lowest = 0, stride = 1;
     std::array<std::size_t, Dim> strides{};

@@ -35,8 +35,7 @@ class LiveNodes {
   std::size_t count() const;
 
   /// body(i) for each of the nodes.
-  template <class Body>
-  void each(const Body& body) const {
+  void each(const auto& body) const {
     for (const NodeRange& run : runs_) {
       for (std::size_t i = run.first; i < run.end; ++i) body(i);
     }

@@ -80,8 +80,7 @@ class MassMatrix {
   bool is_free(std::size_t i) const { return inverse_[i] > 0; }
 
   /// body(begin, end) for all nodes that have mass, and maybe others.
-  template <class Body>
-  void for_nodes(const Body& body) const {
+  void for_nodes(const auto& body) const {
     if (stencil_) {
       stencil_->for_nodes(s_->setup.threads, body);
     } else {
@@ -182,8 +181,7 @@ class MassMatrix {
   }
 
   /// body(c) for the values of all nodes.
-  template <class Body>
-  void each_value(const Body& body) const {
+  void each_value(const auto& body) const {
     for (const NodeRange& run : s_->live.runs()) {
       for (std::size_t c = run.first * Field::stride; c < run.end * Field::stride; ++c) body(c);
     }
@@ -262,8 +260,7 @@ class MassMatrix {
   }
 
   /// The same on nodes that have mass, and after(begin, end) as soon as it is known there.
-  template <class After>
-  void multiply_then(Field& x, Field& y, const After& after) const {
+  void multiply_then(Field& x, Field& y, const auto& after) const {
     if (stencil_ && images_->empty()) {
       stencil_->multiply(x, y, s_->setup.threads, after);
     } else {

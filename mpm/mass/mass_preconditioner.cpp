@@ -35,8 +35,7 @@ auto MassPreconditioner<Dim>::factor_of(std::size_t nodes, const std::vector<dou
 
 /// Of lines that follow each other, whose nodes are `inner` numbers apart.
 template <int Dim>
-template <class Width>
-void MassPreconditioner<Dim>::solve_lines(const Factor& f, double* x, Width inner, std::size_t lines) {
+void MassPreconditioner<Dim>::solve_lines(const Factor& f, double* x, auto inner, std::size_t lines) {
   const auto each_line = [&](std::size_t i, const auto& body) {
     for (std::size_t line = 0; line < lines; ++line) body(x + (line * f.nodes + i) * inner);
   };

@@ -83,10 +83,7 @@ std::vector<Method> all_methods() {
   return methods;
 }
 
-template <class Enum>
-const char* word_of(Enum value) {
-  return names_of(value)[static_cast<std::size_t>(value)];
-}
+const char* word_of(auto value) { return names_of(value)[static_cast<std::size_t>(value)]; }
 
 MethodNames names_of(const Method& method) {
   return {word_of(method.basis), word_of(method.formulation), word_of(method.transfer), word_of(method.update),

@@ -30,8 +30,7 @@ struct MasslessNodes {
   }
 
   /// body(node, shares)
-  template <class Body>
-  void each(const Body& body) const {
+  void each(const auto& body) const {
     std::size_t begin = 0;
     for (const Node& one : nodes) {
       body(one.node, std::span(shares).subspan(begin, one.end - begin));

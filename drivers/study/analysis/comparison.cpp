@@ -175,8 +175,7 @@ void compare_figures(const StudyFindings& A, const StudyFindings& B, Comparison&
   }
 }
 
-template <class Condition>
-void warn_of(const std::vector<Pair>& pairs, const std::string& what, Comparison& found, const Condition& holds) {
+void warn_of(const std::vector<Pair>& pairs, const std::string& what, Comparison& found, const auto& holds) {
   const auto times = std::ranges::count_if(pairs, holds);
   if (times > 0) found.warnings.push_back(cases_text(times) + " " + what);
 }

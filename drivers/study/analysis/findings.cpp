@@ -12,8 +12,7 @@ namespace assay::drivers {
 
 namespace {
 
-template <class Better>
-std::optional<std::size_t> extreme(const StudyFindings& findings, const Better& better) {
+std::optional<std::size_t> extreme(const StudyFindings& findings, const auto& better) {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < findings.cases.size(); ++i) {
     const StudyCase& one = findings.cases[i];

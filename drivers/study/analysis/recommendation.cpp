@@ -75,8 +75,7 @@ bool is_cheaper(const StudyCase& a, const StudyCase& b) {
 }
 
 /// The first in that order of the cases that may be taken and of which the condition holds.
-template <class Condition, class Less>
-std::optional<std::size_t> first_case(const StudyFindings& findings, const Condition& holds, const Less& less) {
+std::optional<std::size_t> first_case(const StudyFindings& findings, const auto& holds, const auto& less) {
   std::optional<std::size_t> first;
   for (std::size_t i = 0; i < findings.cases.size(); ++i) {
     const StudyCase& one = findings.cases[i];

@@ -54,8 +54,7 @@ class Node {
   }
   template <class T, class... Words>
   void operator()(const char*, const T&&, const Words&...) const {}
-  template <class Fields>
-  void section(const char* key, const Fields& fields) const {
+  void section(const char* key, const auto& fields) const {
     const Node inner = (*this)[key];
     fields(inner);
   }

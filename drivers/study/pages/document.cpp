@@ -31,8 +31,7 @@ std::string with_short_words(const std::string& text, std::size_t most) {
 std::string as_it_is(const std::string& words) { return words; }
 
 /// The columns that a page shows, its heads first; `shown` writes the words of a cell there.
-template <class Shown>
-std::vector<Texts> lines_on(Page page, const Table& table, const Shown& shown) {
+std::vector<Texts> lines_on(Page page, const Table& table, const auto& shown) {
   std::vector<Texts> lines(1 + table.rows.size());
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     const std::string& head = table.columns[k][page];
@@ -76,8 +75,7 @@ std::string html_table(const Table& table) {
 }
 
 /// What a page shows of each section, its table as `written`, in one text; `whole` adds its heading.
-template <class Written, class Whole>
-std::string all_of(const Document& document, Page page, const Written& written, const Whole& whole) {
+std::string all_of(const Document& document, Page page, const auto& written, const auto& whole) {
   std::string text;
   for (const Section& section : document.sections) {
     const auto& pages = section.pages;

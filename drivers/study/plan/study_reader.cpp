@@ -32,8 +32,7 @@ const Tree& required(const Tree& map, const std::string& path, const char* key) 
 }
 
 /// Calls take(map, its path) for each map of a list; `hint` names the keys.
-template <class Take>
-void each_map(const Tree& list, const std::string& key, const std::string& hint, const Take& take) {
+void each_map(const Tree& list, const std::string& key, const std::string& hint, const auto& take) {
   if (list.kind != Tree::Kind::sequence) throw InputError(list.where, key, "must be a list of maps");
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     const std::string path = key + "[" + std::to_string(i) + "]";

@@ -25,10 +25,7 @@ struct Section {
   double cosine_of_Y = 1;
 };
 
-template <class Archive>
-void fields(Archive& archive, Section& s) {
-  archive(s.motion, s.cosine_of_Y);
-}
+void fields(auto& archive, Section& s) { archive(s.motion, s.cosine_of_Y); }
 
 }  // namespace
 

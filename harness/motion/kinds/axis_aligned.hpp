@@ -29,10 +29,7 @@ struct AxisAligned {
   Path baseline() const { return section(1); }
 };
 
-template <class Archive>
-void fields(Archive& archive, AxisAligned& m) {
-  archive(m.amplitude, m.one_dimensional, m.given_speed);
-}
+void fields(auto& archive, AxisAligned& m) { archive(m.amplitude, m.one_dimensional, m.given_speed); }
 
 std::unique_ptr<MotionKind> kind_of(const AxisAligned& motion);
 

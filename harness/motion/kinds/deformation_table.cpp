@@ -25,10 +25,7 @@ struct Rows {
   Interpolation interpolation = Interpolation::monotone;
 };
 
-template <class Archive>
-void fields(Archive& archive, Rows& rows) {
-  archive(rows.times, rows.F, rows.interpolation);
-}
+void fields(auto& archive, Rows& rows) { archive(rows.times, rows.F, rows.interpolation); }
 
 }  // namespace
 

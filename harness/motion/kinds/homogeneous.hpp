@@ -21,10 +21,7 @@ struct Homogeneous {
   double own_parameter() const;
 };
 
-template <class Archive>
-void fields(Archive& archive, Homogeneous& m) {
-  archive(m.final, m.period);
-}
+void fields(auto& archive, Homogeneous& m) { archive(m.final, m.period); }
 
 std::unique_ptr<MotionKind> kind_of(const Homogeneous& motion);
 

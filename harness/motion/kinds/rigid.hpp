@@ -18,10 +18,7 @@ struct Rigid {
   Path baseline() const;
 };
 
-template <class Archive>
-void fields(Archive& archive, Rigid& m) {
-  archive(m.velocity, m.spin, m.axis, m.period);
-}
+void fields(auto& archive, Rigid& m) { archive(m.velocity, m.spin, m.axis, m.period); }
 
 std::unique_ptr<MotionKind> kind_of(const Rigid& motion);
 

@@ -28,10 +28,7 @@ struct RotatingStretch {
   Path baseline() const;
 };
 
-template <class Archive>
-void fields(Archive& archive, RotatingStretch& m) {
-  archive(m.stretch, m.shear, m.rotation, m.axis, m.rotate, m.period);
-}
+void fields(auto& archive, RotatingStretch& m) { archive(m.stretch, m.shear, m.rotation, m.axis, m.rotate, m.period); }
 
 std::unique_ptr<MotionKind> kind_of(const RotatingStretch& motion);
 

@@ -31,10 +31,7 @@ struct TwistingRing {
   Path baseline() const;
 };
 
-template <class Archive>
-void fields(Archive& archive, TwistingRing& m) {
-  archive(m.twist, m.expansion);
-}
+void fields(auto& archive, TwistingRing& m) { archive(m.twist, m.expansion); }
 
 std::unique_ptr<MotionKind> kind_of(const TwistingRing& motion);
 

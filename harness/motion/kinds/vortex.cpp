@@ -20,8 +20,7 @@ constexpr int samples = 512;  ///< of the ring: xi' is not looked at in between
 constexpr int bisections = 60;
 
 /// Where `holds` changes between low and high, by bisection.
-template <class Condition>
-double change_between(double low, double high, const Condition& holds) {
+double change_between(double low, double high, const auto& holds) {
   const bool at_low = holds(low);
   for (int k = 0; k < bisections; ++k) {
     const double middle = 0.5 * (low + high);

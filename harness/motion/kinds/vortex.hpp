@@ -35,10 +35,7 @@ struct Vortex {
   Path baseline() const;
 };
 
-template <class Archive>
-void fields(Archive& archive, Vortex& m) {
-  archive(m.inner, m.outer, m.profile_power, m.amplitude);
-}
+void fields(auto& archive, Vortex& m) { archive(m.inner, m.outer, m.profile_power, m.amplitude); }
 
 /// Radii between which xi(R) is monotone, ascending, with ri and ro [m].
 std::vector<double> turning_radii(const Vortex& vortex);
