@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The program: what must be put right before any verb, then the command line.
 #include <malloc.h>
 #include <pthread.h>
 #include <unistd.h>

@@ -1,5 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How a host and its worker hand calls over, and how long either looks before it sleeps.
+//
+//   host                                   shared memory                    worker
+//   copies what the call reads  ------->   arrays (call_arrays.hpp)
+//   counts `request` on, wakes  ------->   Control                  ----->  calls the model's function
+//   waits, looks at the process <-------   point, habits, a claim   <-----  marks what it does
+//                               <-------   arrays, message          <-----  copies what the call wrote
+//   goes on                     <-------   `reply`                  <-----  counts `reply` on, wakes
+//
+// What is called is an Operation (operations.hpp). A worker that dies leaves its fate (fate.hpp): the call fails with
+// words of how, and the next one goes to a new worker.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What a slip in YAML was meant to be: tabs, missing blanks, quotes that are not closed, words that YAML takes for
+// others.
 #include "drivers/format/yaml_lines.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The keywords of a deck that say what a material is: *MATERIAL, *USER MATERIAL, *DEPVAR and their data lines.
 #include "drivers/material/abaqus_deck.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The lists in a foreign model's description: parameters and state variables.
 #include "drivers/material/foreign_description.hpp"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Whether a Fortran source is in fixed or free form.
 #include "drivers/material/fortran_text.hpp"
 
 #include <filesystem>

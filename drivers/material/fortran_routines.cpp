@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The routines in a Fortran source, their arguments and declarations.
 #include "drivers/material/fortran_text.hpp"
 
 #include <algorithm>

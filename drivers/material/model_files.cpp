@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The files that a model's description names.
 #include "drivers/material/material_description.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// From a source to a library: compiled once, kept by what it was made of.
 
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Declarations in a source that compile and give wrong stresses.
 #include "drivers/material/source_entry.hpp"
 
 #include <algorithm>

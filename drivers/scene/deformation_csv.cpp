@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// A table of F, read from a CSV file.
 #include "drivers/scene/scene_reader.hpp"
 
 #include "drivers/format/csv.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The keys of `motion`, of which each motion's record has its own.
 #include "drivers/scene/scene_keys.hpp"
 
 #include <algorithm>

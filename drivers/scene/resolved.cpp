@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// A scene with every key and default, as YAML.
 #include "drivers/scene/scene_reader.hpp"
 
 #include <algorithm>

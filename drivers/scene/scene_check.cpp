@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Keys of a scene that do not go together.
 #include "drivers/scene/scene_reader.hpp"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The JSON Schema of scenes.
 #include "drivers/scene/scene_keys.hpp"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// `--set key.path=YAML`: what it says, and its place in the tree.
 #include "drivers/scene/scene_reader.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What a run of a scene may ask for: sizes, times, memory.
 #include "drivers/simulation/problem.hpp"
 
 #include "drivers/scene/body_box.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The length of the next step, from the fastest wave and the fastest particle.
 #include <algorithm>
 #include <cmath>
 

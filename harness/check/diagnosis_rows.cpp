@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The table that diagnoses are made of: what was found, and the cause that it tells.
 #include "harness/check/diagnosis.hpp"
 
 #include "harness/check/stiffness.hpp"

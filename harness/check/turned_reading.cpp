@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// As what a state or a stress must be read for a turned step to be right: the defect follows from that.
 #include "harness/check/turned_step.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// A history by `update` with error control: sub-steps, extrapolation, the length of the next step.
 #include <algorithm>
 #include <limits>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// A history by the material's rate form, in Boost.Odeint.
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>

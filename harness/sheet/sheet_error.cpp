@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The error of a sheet, from histories off its nodes.
 #include <algorithm>
 
 #include "harness/history/history_trail.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Which instructions this processor has.
 #include "mpm/data/instructions.hpp"
 
 namespace assay::mpm {

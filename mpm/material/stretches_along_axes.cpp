@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The stretches by which cpGIMP sizes its domains in space.
 
 #if ASSAY_DIMENSION == 3
 #include <Eigen/Eigenvalues>

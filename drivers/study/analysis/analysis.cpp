@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// From a study's cases to orders, fronts, costs and budgets.
 #include "drivers/study/analysis/findings.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The map of which method survives where, as cells and as a picture.
 #include "drivers/study/pages/study_figures.hpp"
 
 #include <algorithm>

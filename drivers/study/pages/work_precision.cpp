@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What a diagram of error over cost shows.
 #include "drivers/study/pages/study_figures.hpp"
 
 #include <algorithm>

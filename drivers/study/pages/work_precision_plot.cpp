@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The diagram of error over cost, drawn.
 #include "drivers/study/pages/study_figures.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The axes of a study, read from YAML.
 #include "drivers/study/plan/study_reader.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The key of a case: a hash of all that its result depends on.
 #include "drivers/study/plan/study.hpp"
 
 #include <algorithm>

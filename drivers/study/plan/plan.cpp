@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// From a study's axes to its cases.
 #include "drivers/study/plan/study.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The JSON Schema of studies.
 #include "drivers/study/plan/study_reader.hpp"
 
 #include <nlohmann/json.hpp>

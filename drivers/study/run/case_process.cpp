@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// One case of a study, in a process of its own.
 #include "drivers/study/run/runner.hpp"
 
 #include <fcntl.h>

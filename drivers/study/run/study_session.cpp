@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Which processes work in a study's folder.
 #include "drivers/study/run/runner.hpp"
 
 #include <fcntl.h>

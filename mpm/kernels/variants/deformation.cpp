@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// F and volume after a step, of many particles.
 #include "mpm/kernels/kernels.hpp"
 #include "mpm/kernels/variants/basis_of.hpp"
 

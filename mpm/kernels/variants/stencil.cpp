@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Rows of the mass matrix times a field of the grid.
 #include <algorithm>
 
 #include "mpm/kernels/mass_stencil.hpp"
