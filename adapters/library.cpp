@@ -106,9 +106,7 @@ std::string file_of(const assay_material* table) {
   Dl_info info{}, own{};
   if (dladdr(table, &info) == 0 || !info.dli_fname) return "";
   // the loader knows the program by the word it was called with, which need not be a path
-  if (dladdr(reinterpret_cast<const void*>(&file_of), &own) != 0 && own.dli_fbase == info.dli_fbase) {
-    return own_file;
-  }
+  if (dladdr(reinterpret_cast<const void*>(&file_of), &own) != 0 && own.dli_fbase == info.dli_fbase) return own_file;
   return info.dli_fname;
 }
 

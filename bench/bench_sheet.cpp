@@ -28,8 +28,8 @@ void sheet(benchmark::State& state, Entry entry, double tolerance, double kinema
     const assay::Sheet sheet(material, path, {.tolerance = tolerance, .end = end});
     assay::Tensor tau, dtau_dxi;
     for (int j = 1; j <= 200; ++j) {
-      const assay::Slice slice = sheet.slice(end * j / 200);
-      for (int i = 0; i < 100; ++i) slice.at(path.parameter.lower + path.parameter.width() * i / 99, tau, dtau_dxi);
+      const assay::Isochrone isochrone = sheet.isochrone(end * j / 200);
+      for (int i = 0; i < 100; ++i) isochrone.at(path.parameter.lower + path.parameter.width() * i / 99, tau, dtau_dxi);
     }
     benchmark::DoNotOptimize(dtau_dxi);
     state.counters["points"] = static_cast<double>(sheet.points());

@@ -77,9 +77,7 @@ class Damage {
   template <class S>
   S integrity(const S& kappa) const {
     using std::exp;
-    if (value_of(kappa) <= threshold_) {
-      return S(1);
-    }
+    if (value_of(kappa) <= threshold_) return S(1);
     return S(1 - most_) + S(most_) * S(exp((S(threshold_) - kappa) * S(1 / scale_)));
   }
 

@@ -46,9 +46,7 @@ class Reader {
   }
 
   CsvTable read() {
-    while (const auto fields = lines_.next()) {
-      table_.names.empty() ? header(*fields) : row(*fields);
-    }
+    while (const auto fields = lines_.next()) table_.names.empty() ? header(*fields) : row(*fields);
     if (table_.names.empty()) fail(0, "the file holds no header line with the columns " + joined(required_));
     if (table_.rows() == 0) fail(0, "the file holds no row of numbers");
     return std::move(table_);

@@ -74,9 +74,7 @@ std::string component_names(int components) {
   if (components == 3) names = {"x", "y", "z"};
   if (components == 9) names = {"11", "12", "13", "21", "22", "23", "31", "32", "33"};
   std::string out;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    out += " ComponentName" + std::to_string(i) + "=\"" + names[i] + "\"";
-  }
+  for (std::size_t i = 0; i < names.size(); ++i) out += " ComponentName" + std::to_string(i) + "=\"" + names[i] + "\"";
   return out;
 }
 

@@ -74,9 +74,7 @@ void draw(Canvas& canvas, const PanelAxes& axes) {
     if (axes.names_y) canvas.text({left - 11, at + 6}, axes.y.labels[i], {picture_text_size, ink, Anchor::right});
   }
   canvas.text({(left + right) / 2, bottom + axes.title_below}, axes.x_title, {picture_text_size, ink, Anchor::middle});
-  if (axes.names_y) {
-    canvas.text({22, (top + bottom) / 2}, axes.y_title, {picture_text_size, ink, Anchor::middle, true});
-  }
+  if (axes.names_y) canvas.text({22, (top + bottom) / 2}, axes.y_title, {picture_text_size, ink, Anchor::middle, true});
   outline(canvas, left, top, right, bottom);
 }
 

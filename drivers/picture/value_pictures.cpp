@@ -74,9 +74,7 @@ Layout lay_out(const ParticlePicture& picture, const ColorBar& bar) {
 std::array<double, 2> color_range(const ParticlePicture& picture) {
   if (picture.range) return *picture.range;
   std::vector<double> values;
-  for (const ParticleFrame& frame : picture.frames) {
-    values.insert(values.end(), frame.value.begin(), frame.value.end());
-  }
+  for (const ParticleFrame& frame : picture.frames) values.insert(values.end(), frame.value.begin(), frame.value.end());
   return color_range(values, picture.map);
 }
 

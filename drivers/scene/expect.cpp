@@ -18,9 +18,7 @@ using Operator = Expectation::Operator;
 void read_comparison(const Tree& map, const std::string& path, Expectation& line) {
   const std::vector<std::string> operators = words_of<Operator>();
   refuse_unknown_keys(map, path, operators);
-  if (map.entries.size() != 1) {
-    throw InputError(map.where, path, "must hold exactly one operator", joined(operators));
-  }
+  if (map.entries.size() != 1) throw InputError(map.where, path, "must hold exactly one operator", joined(operators));
   const auto& [name, name_where, value] = map.entries.front();
   line.op = static_cast<Operator>(index_of(name, operators));
   const std::string operator_path = key_path(path, name);

@@ -104,9 +104,7 @@ double TimeControl::own_speed(const mpm::State<2>& s) const {
       }
     }
     const double* state = history_at(s, begin, material_.state_size());
-    if (offer(s.setup.density, n, F.data(), stress.data(), state, speed.data()) == ASSAY_FAILED) {
-      return 0;
-    }
+    if (offer(s.setup.density, n, F.data(), stress.data(), state, speed.data()) == ASSAY_FAILED) return 0;
     for (std::size_t k = 0; k < n; ++k) {
       if (!is_wave_speed(speed[k])) return 0;
       fastest = std::max(fastest, speed[k]);

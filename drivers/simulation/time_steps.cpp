@@ -26,9 +26,7 @@ std::vector<Vector3> places_of(const Scene& scene) {
   constexpr int radii = 128, across = 16;
   std::vector<Vector3> places;
   if (const auto ring = ring_of(scene.motion)) {
-    for (int k = 0; k <= radii; ++k) {
-      places.emplace_back(ring->inner + (ring->outer - ring->inner) * k / radii, 0, 0);
-    }
+    for (int k = 0; k <= radii; ++k) places.emplace_back(ring->inner + (ring->outer - ring->inner) * k / radii, 0, 0);
     return places;
   }
   const Box box = body_box(scene);

@@ -210,7 +210,7 @@ std::vector<Interval> zones_beyond(const Vortex& vortex, std::span<const double>
 std::optional<RimFigures> rim_of(const Response& response, const Vortex& vortex, double h, double end) {
   const Sheet* sheet = response.sheet();
   if (!sheet || !sheet->has_kinks()) return std::nullopt;
-  const std::vector<double> fronts = sheet->slice(time_of_peak(vortex.amplitude, end)).kinks();
+  const std::vector<double> fronts = sheet->isochrone(time_of_peak(vortex.amplitude, end)).kinks();
   RimFigures rim{std::numeric_limits<double>::infinity(), 0};
   for (const Interval& zone : zones_beyond(vortex, fronts)) rim.width = std::min(rim.width, zone.upper - zone.lower);
   if (!std::isfinite(rim.width)) return std::nullopt;

@@ -89,9 +89,7 @@ void on_crash(int signal, siginfo_t* why, void* /*context*/) {
     ::raise(signal);
     return;
   }
-  if (library_was_changed()) {
-    say_and_leave("assay: crashed: the material's library was changed while it was in use\n");
-  }
+  if (library_was_changed()) say_and_leave("assay: crashed: the material's library was changed while it was in use\n");
   char line[sizeof crash_words + 100];
   if (why->si_code <= 0 && why->si_pid != ::getpid())
     compose(line, "assay: ended from outside, by signal ", signal, " of process ", why->si_pid, "\n");

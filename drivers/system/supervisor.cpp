@@ -191,9 +191,7 @@ class OwnTerminal {
 
 [[noreturn]] void watch(pid_t child, const Parting& word, const OwnTerminal& terminal) {
   const Ended ended = end_of(child, word);
-  if (adapters::end_descendants()) {
-    std::fputs("warning: the model leaves processes behind, which were ended\n", stderr);
-  }
+  if (adapters::end_descendants()) std::fputs("warning: the model leaves processes behind, which were ended\n", stderr);
   if (terminal.put_right())
     std::fputs("warning: the model changes the settings of the terminal, which were put right\n", stderr);
   if (ended.by_child != 0) {

@@ -198,9 +198,7 @@ Specimen examine(const Material& material, const Options& options) {
   specimen.viscous = specimen.rate_dependent() && length == usual_length;
   specimen.stiffness_noise = at_rest.noise;
   specimen.own_pressure = own_pressure_of(specimen);
-  if (specimen.rate_dependent()) {
-    specimen.parts = relaxing_parts(material, specimen.pressure, specimen.modulus);
-  }
+  if (specimen.rate_dependent()) specimen.parts = relaxing_parts(material, specimen.pressure, specimen.modulus);
   specimen.amplitude = amplitude_of(specimen);
   if (specimen.not_finite && !is_not_finite_beyond(specimen)) specimen.not_finite.reset();
   specimen.onset = specimen.linear ? onset_of(specimen, length) : specimen.amplitude;

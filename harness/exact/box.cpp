@@ -159,9 +159,7 @@ class BoxInstant final : public ExactInstant {
       const auto modes = static_cast<std::size_t>(series->modes(1 - d));
       slopes_.resize(sides_[d].rows() * modes);
       const auto slope = [&](std::size_t row) { return std::span(slopes_).subspan(row * modes, modes); };
-      for (std::size_t row = 0; row < sides_[d].rows(); ++row) {
-        series->contract(d, d, sides_[d].slope(row), slope(row));
-      }
+      for (std::size_t row = 0; row < sides_[d].rows(); ++row) series->contract(d, d, sides_[d].slope(row), slope(row));
       for (std::size_t p = 0; p < b[d].size(); ++p) {
         const std::uint32_t row = sides_[d].row_of(p), across = sides_[1 - d].row_of(p);
         const double divergence = sum_of_modes(sides_[1 - d].mean(across), slope(row));  // d P_dd / d X_d

@@ -54,7 +54,7 @@ namespace {
 
 class SheetAtTime final : public ResponseAtTime {
  public:
-  SheetAtTime(const Sheet& sheet, double t) : curve_(sheet.slice(t)), has_kinks_(sheet.has_kinks()) {}
+  SheetAtTime(const Sheet& sheet, double t) : curve_(sheet.isochrone(t)), has_kinks_(sheet.has_kinks()) {}
   void at(double xi, Tensor& tau, Tensor& dtau_dxi) const override { curve_.at(xi, tau, dtau_dxi); }
   void plane_tau(std::span<const double> xi, std::span<double> tau, const InPieces& pieces) const override {
     pieces(xi.size(), [&](std::size_t begin, std::size_t end) { curve_.plane_tau(xi, tau, begin, end); });
@@ -62,7 +62,7 @@ class SheetAtTime final : public ResponseAtTime {
   std::vector<double> fronts() const override { return has_kinks_ ? curve_.kinks() : std::vector<double>(); }
 
  private:
-  Slice curve_;
+  Isochrone curve_;
   bool has_kinks_;
 };
 

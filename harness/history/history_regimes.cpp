@@ -138,9 +138,7 @@ void History::Increments::step_over(double to) {
   const bool watch = std::exchange(options_.watch, false);
   extrapolation_.clear();
   const int columns = step > resolution_ ? least_columns : 1;
-  for (int count = 1; count <= columns; ++count) {
-    extrapolation_.add(substeps(step, count).y, scales_);
-  }
+  for (int count = 1; count <= columns; ++count) extrapolation_.add(substeps(step, count).y, scales_);
   options_.watch = watch;
   h_->y_ = extrapolation_.best();
   if (columns > 1) h_->error_ += extrapolation_.error();

@@ -80,9 +80,7 @@ std::vector<std::optional<double>> pairwise_orders(const std::vector<double>& h,
 RangeJudgement asymptotic_range(const std::vector<double>& h, const std::vector<double>& error) {
   const auto orders = pairwise_orders(h, error);
   const std::size_t n = orders.size();
-  if (n < 3) {
-    return unknown_range(std::to_string(n) + (n == 1 ? " resolution" : " resolutions") + ", three are needed");
-  }
+  if (n < 3) return unknown_range(std::to_string(n) + (n == 1 ? " resolution" : " resolutions") + ", three are needed");
   if (are_equal(h[n - 3], h[n - 2]) || are_equal(h[n - 2], h[n - 1]))
     return unknown_range("two of the three finest are of one resolution, and no order lies between them");
   if (!orders[n - 2] || !orders[n - 1]) return unknown_range("an error of the three finest has no order");

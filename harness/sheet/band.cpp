@@ -90,9 +90,7 @@ std::vector<double> sample_places(const Interval& range) {
 std::vector<Band> unwatched_bands(const Course& course) {
   const Interval range = course.path->parameter;
   const Ray ray{course.pieces, std::vector<std::uint64_t>(course.pieces.size() - 1, 1)};
-  if (range.lower < 0 && range.upper > 0) {
-    return {{{{range.lower, 0}}, ray}, {{{0, range.upper}}, ray}};
-  }
+  if (range.lower < 0 && range.upper > 0) return {{{{range.lower, 0}}, ray}, {{{0, range.upper}}, ray}};
   return {{{range}, ray}};
 }
 

@@ -59,7 +59,7 @@ Curve::Curve(const Material& material, const Path& path, double end, int n) : am
   range_.trim();
 }
 
-Slice Curve::slice(double t) const { return Slice({range_}, amplitude_(t)); }
+Isochrone Curve::isochrone(double t) const { return Isochrone({range_}, amplitude_(t)); }
 
 namespace {
 
@@ -101,10 +101,10 @@ Reference reference_of(const Material& material, const Path& loading) {
 /// At the places, and by what follows the last terms of the series: a kink between the places leaves them large.
 SheetError error_of(const Curve& curve, const Reference& reference) {
   SheetError error{0, 0, reference.tau_scale, reference.slope_scale};
-  const Slice slice = curve.in_eps();
+  const Isochrone isochrone = curve.in_eps();
   for (std::size_t i = 0; i < reference.eps.size(); ++i) {
     Tensor tau, slope;
-    slice.at(reference.eps[i], tau, slope);
+    isochrone.at(reference.eps[i], tau, slope);
     error.tau = larger(error.tau, largest_of(tau - reference.tau[i]));
     error.dtau = larger(error.dtau, largest_of(slope - reference.slope[i]));
   }

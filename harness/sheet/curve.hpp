@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/sheet/slice.hpp"
+#include "harness/sheet/isochrone.hpp"
 
 namespace assay {
 
@@ -16,15 +16,15 @@ class Curve {
   /// n nodes over every eps that the path reaches until `end`. Throws MaterialFailure.
   Curve(const Material& material, const Path& path, double end, int n);
 
-  Slice slice(double t) const;
-  Slice in_eps() const { return Slice({range_}); }  ///< tau and d tau / d eps
+  Isochrone isochrone(double t) const;
+  Isochrone in_eps() const { return Isochrone({range_}); }  ///< tau and d tau / d eps
   int nodes() const { return nodes_; }
   Interval eps() const { return range_.map.xi; }
   double left_out() const { return left_out_; }  ///< by the series, as its last terms tell [Pa]
 
  private:
   std::function<double(double)> amplitude_;
-  Slice::Range range_;
+  Isochrone::Range range_;
   int nodes_ = 0;
   double left_out_ = 0;
 };

@@ -20,13 +20,13 @@ double force_error(const Motion& motion, double density, const Sheet& sheet, dou
   double largest_error = 0, largest_force = 0;
   for (int j = 0; j < times; ++j) {
     const double t = end * (j + 0.5) / times;
-    const Slice slice = sheet.slice(t);
+    const Isochrone isochrone = sheet.isochrone(t);
     for (int i = 0; i < radii; ++i) {
       const double R = ring.inner + (ring.outer - ring.inner) * (i + 0.5) / radii;
       const RingParameter xi = ring_parameter(motion, R);
       const RingKinematics kinematics = ring_kinematics(motion, R, t);
       Tensor tau, dtau;
-      slice.at(xi.value, tau, dtau);
+      isochrone.at(xi.value, tau, dtau);
       const Polar b = kinematics.body_force(density, R, tau, xi.slope * dtau);
       largest_force = std::max(largest_force, std::hypot(b.r, b.theta));
       const double divergence =

@@ -14,7 +14,7 @@ constexpr int crossing_samples = 33;       ///< of a moving break in s, between 
 constexpr double narrowest_range = 1e-12;  ///< in s
 
 /// Values of s at which a moving break passes the time t, ascending, with 0 and 1.
-std::vector<double> crossings(const BandTable& table, double t) {
+std::vector<double> crossings(const BandSeries& table, double t) {
   std::vector<double> places{0};
   for (std::size_t i = 1; i < table.band().stretches(); ++i) {
     if (!table.moves(i) || t < table.break_range(i).lower || t > table.break_range(i).upper) continue;
@@ -37,9 +37,9 @@ std::vector<double> crossings(const BandTable& table, double t) {
   return places;
 }
 
-void cut_band(const BandTable& table, double t, std::vector<Slice::Range>& ranges) {
+void cut_band(const BandSeries& table, double t, std::vector<Isochrone::Range>& ranges) {
   if (!table.any_moves()) {
-    Slice::Range range{table.band().map, {0, 1}, table.active(), {}, 0, 0};
+    Isochrone::Range range{table.band().map, {0, 1}, table.active(), {}, 0, 0};
     table.cut(table.stretch_at(0, t), t, range.coefficients);
     range.trim();
     ranges.push_back(std::move(range));
@@ -54,21 +54,19 @@ void cut_band(const BandTable& table, double t, std::vector<Slice::Range>& range
     const Interval s{places[r], places[r + 1]};
     if (s.width() < narrowest_range) continue;
     const std::size_t stretch = table.stretch_at(0.5 * (s.lower + s.upper), t);
-    Slice::Range range{table.band().map, s, table.active(), std::vector<double>(active * nodes.size()), 0, 0};
+    Isochrone::Range range{table.band().map, s, table.active(), std::vector<double>(active * nodes.size()), 0, 0};
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       table.active_at(s.lower + nodes[k] * s.width(), t, stretch,
                       std::span(range.coefficients).subspan(k * active, active));
     }
-    for (std::size_t c = 0; c < active; ++c) {
-      to_coefficients(&range.coefficients[c], active);
-    }
+    for (std::size_t c = 0; c < active; ++c) to_coefficients(&range.coefficients[c], active);
     range.trim();
     ranges.push_back(std::move(range));
   }
 }
 
-bool any_front(const std::vector<BandTable>& tables) {
-  return std::any_of(tables.begin(), tables.end(), [](const BandTable& table) {
+bool any_front(const std::vector<BandSeries>& tables) {
+  return std::any_of(tables.begin(), tables.end(), [](const BandSeries& table) {
     return table.any_moves() || table.band().map.grazes_lower || table.band().map.grazes_upper;
   });
 }
@@ -104,29 +102,29 @@ std::vector<double> Sheet::pack() const {
   const auto& tables = std::get<Bands>(table_);
   std::vector<double> out{error_.tau,     error_.dtau,        error_.tau_scale,     error_.dtau_scale,
                           double(calls_), kinks_ ? 1.0 : 0.0, double(tables.size())};
-  for (const BandTable& table : tables) table.pack(out);
+  for (const BandSeries& table : tables) table.pack(out);
   return out;
 }
 
 void Sheet::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
-  if (const auto* curve = std::get_if<Curve>(&table_)) return curve->slice(t).at(xi, tau, dtau_dxi);
+  if (const auto* curve = std::get_if<Curve>(&table_)) return curve->isochrone(t).at(xi, tau, dtau_dxi);
   const auto& tables = std::get<Bands>(table_);
   const auto found = std::find_if(tables.begin(), tables.end() - 1,
-                                  [&](const BandTable& table) { return xi < table.band().map.xi.upper; });
+                                  [&](const BandSeries& table) { return xi < table.band().map.xi.upper; });
   found->at(xi, t, tau, dtau_dxi);
 }
 
-Slice Sheet::slice(double t) const {
-  if (const auto* curve = std::get_if<Curve>(&table_)) return curve->slice(t);
-  std::vector<Slice::Range> ranges;
-  for (const BandTable& table : std::get<Bands>(table_)) cut_band(table, t, ranges);
-  return Slice(std::move(ranges));
+Isochrone Sheet::isochrone(double t) const {
+  if (const auto* curve = std::get_if<Curve>(&table_)) return curve->isochrone(t);
+  std::vector<Isochrone::Range> ranges;
+  for (const BandSeries& table : std::get<Bands>(table_)) cut_band(table, t, ranges);
+  return Isochrone(std::move(ranges));
 }
 
 std::int64_t Sheet::points() const {
   if (const auto* curve = std::get_if<Curve>(&table_)) return curve->nodes();
   std::int64_t sum = 0;
-  for (const BandTable& table : std::get<Bands>(table_)) {
+  for (const BandSeries& table : std::get<Bands>(table_)) {
     sum += static_cast<std::int64_t>(table.size().nodes_in_xi) * table.size().nodes_in_t *
            static_cast<std::int64_t>(table.band().stretches());
   }
@@ -136,14 +134,14 @@ std::int64_t Sheet::points() const {
 int Sheet::nodes_in_xi() const {
   if (const auto* curve = std::get_if<Curve>(&table_)) return curve->nodes();
   int sum = 0;
-  for (const BandTable& table : std::get<Bands>(table_)) sum += table.size().nodes_in_xi;
+  for (const BandSeries& table : std::get<Bands>(table_)) sum += table.size().nodes_in_xi;
   return sum;
 }
 
 int Sheet::nodes_in_t() const {
   int most = 1;
   if (is_curve()) return most;
-  for (const BandTable& table : std::get<Bands>(table_)) {
+  for (const BandSeries& table : std::get<Bands>(table_)) {
     most = std::max(most, table.size().nodes_in_t * static_cast<int>(table.band().stretches()));
   }
   return most;

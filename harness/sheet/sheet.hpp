@@ -11,7 +11,7 @@
 //      +-------------------------------> t              share of the time between them
 //
 // At ( , where a change begins to exist, its time goes as the square root of the distance in xi. The band's s is made
-// so that all is smooth in it (BandMap). For the points of one time the sheet is cut into a Slice.
+// so that all is smooth in it (BandMap). For the points of one time the sheet is cut into an Isochrone.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,9 @@
 #include <variant>
 #include <vector>
 
-#include "harness/sheet/band_table.hpp"
+#include "harness/sheet/band_series.hpp"
 #include "harness/sheet/curve.hpp"
-#include "harness/sheet/slice.hpp"
+#include "harness/sheet/isochrone.hpp"
 
 namespace assay {
 
@@ -64,7 +64,7 @@ class Sheet {
   void at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const;
 
   /// For many points of one time.
-  Slice slice(double t) const;
+  Isochrone isochrone(double t) const;
 
   bool is_curve() const { return std::holds_alternative<Curve>(table_); }
   std::int64_t points() const;               ///< nodes
@@ -77,7 +77,7 @@ class Sheet {
   std::int64_t material_calls() const { return calls_; }
 
  private:
-  using Bands = std::vector<BandTable>;
+  using Bands = std::vector<BandSeries>;
   std::variant<Curve, Bands> table_;
   SheetError error_;
   std::int64_t calls_ = 0;

@@ -61,8 +61,8 @@ class Resolver {
   Resolver(const Course& course, const SheetOptions& options, const HistoryOptions& history, std::int64_t most)
       : course_(course), options_(options), history_(history), most_(most) {}
 
-  std::vector<BandTable> resolve(const std::vector<Band>& bands, double share) {
-    std::vector<BandTable> first, tables;
+  std::vector<BandSeries> resolve(const std::vector<Band>& bands, double share) {
+    std::vector<BandSeries> first, tables;
     for (const Band& band : bands) {
       later_ = static_cast<double>(first_size.nodes_in_xi) * static_cast<double>(bands.size() - first.size() - 1);
       first.push_back(tabulated(band, first_size));
@@ -71,8 +71,8 @@ class Resolver {
     }
     share_ = share;
     later_ = 0;
-    for (const BandTable& table : first) later_ += expected(table);
-    for (BandTable& table : first) {
+    for (const BandSeries& table : first) later_ += expected(table);
+    for (BandSeries& table : first) {
       later_ -= expected(table);
       budget_ = sampled_ + most_ / static_cast<std::int64_t>(first.size());
       refine(std::move(table), tables);
@@ -86,11 +86,11 @@ class Resolver {
   bool meets_noise() const { return meets_noise_; }
 
  private:
-  BandTable tabulated(const Band& band, BandSize size) {
+  BandSeries tabulated(const Band& band, BandSize size) {
     const auto count = static_cast<double>(size.nodes_in_xi);
-    BandTable table(course_, band, size, history_,
-                    reporting(course_.workers(options_.workers), options_,
-                              {SheetProgress::Stage::histories, done_, done_ + count + later_}, count));
+    BandSeries table(course_, band, size, history_,
+                     reporting(course_.workers(options_.workers), options_,
+                               {SheetProgress::Stage::histories, done_, done_ + count + later_}, count));
     done_ += count;
     calls_ += table.calls();
     sampled_ += values(band, size);
@@ -98,7 +98,7 @@ class Resolver {
   }
 
   /// Histories that a table is likely to need once more.
-  double expected(const BandTable& table) {
+  double expected(const BandSeries& table) {
     const int nodes = table.size().nodes_in_xi;
     const double goal_in_xi = goal(table.band(), nodes, table.noise());
     const bool long_in_xi = std::max(table.tail_in_xi(), table.tail_of_breaks()) > goal_in_xi;
@@ -116,7 +116,7 @@ class Resolver {
   }
 
   /// halvings: how often its band has been halved.
-  void refine(BandTable table, std::vector<BandTable>& tables, int halvings = 0) {
+  void refine(BandSeries table, std::vector<BandSeries>& tables, int halvings = 0) {
     double before = -1;
     while (true) {
       Band band = table.band();
@@ -148,7 +148,7 @@ class Resolver {
     }
   }
 
-  void refine_halves(const Band& band, BandSize size, std::vector<BandTable>& tables, int halvings) {
+  void refine_halves(const Band& band, BandSize size, std::vector<BandSeries>& tables, int halvings) {
     const double middle = band.map.xi_of(0.5);
     Band lower = band, upper = band;
     lower.map.xi.upper = upper.map.xi.lower = middle;
@@ -171,7 +171,7 @@ class Resolver {
 };
 
 struct ResolvedBands {
-  std::vector<BandTable> tables;  ///< empty where the material's regimes cannot be followed
+  std::vector<BandSeries> tables;  ///< empty where the material's regimes cannot be followed
   bool meets_noise = false;
 };
 

@@ -25,7 +25,7 @@ using Watch = std::optional<Telling>;
 
 /// Band tables refined to the tolerance.
 struct BuiltBands {
-  std::vector<BandTable> tables;
+  std::vector<BandSeries> tables;
   Watch watch;  ///< how their breaks were found
   SheetError error;
   std::int64_t calls = 0;
@@ -34,7 +34,7 @@ BuiltBands build_bands(const Material& material, const Path& path, const SheetOp
 
 /// Against histories off the nodes, integrated in increments even where the tables come from the rate form: tau
 /// directly, d tau / d xi by eighth-order central differences between histories of one band in one stretch.
-SheetError error_of(const std::vector<BandTable>& tables, const Material& material, const Path& path,
+SheetError error_of(const std::vector<BandSeries>& tables, const Material& material, const Path& path,
                     const SheetOptions& options, Watch watch, std::int64_t& calls);
 
 }  // namespace assay

@@ -23,7 +23,7 @@ constexpr int reach = central_reach;
 
 /// Where a band is looked at: nine neighbouring histories at ascending times.
 struct Stencil {
-  const BandTable* table;
+  const BandSeries* table;
   double xi, step;
   std::vector<double> times;
   std::vector<Tensor> tau;  ///< [row * 9 + neighbour]
@@ -31,7 +31,7 @@ struct Stencil {
   double error = 0;
 };
 
-Stencil lay_out(const BandTable& table, double place, double share) {
+Stencil lay_out(const BandSeries& table, double place, double share) {
   const Band& band = table.band();
   Stencil stencil{&table, band.map.xi_of(place), 0, {}, {}, 0, 0};
   stencil.step = share * std::min(stencil.xi - band.map.xi.lower, band.map.xi.upper - stencil.xi);
@@ -88,9 +88,9 @@ void compare(const Stencil& stencil, SheetError& error) {
 /// places that are looked at. A derivative multiplies the term of number n by n^2 there. Of d tau / d xi not in bands
 /// that are nothing but fronts close to each other. What the series of the breaks leave out is not bounded here but
 /// seen at the places: rounding of their times keeps those terms large.
-void add_tails(const std::vector<BandTable>& tables, double range, SheetError& error) {
+void add_tails(const std::vector<BandSeries>& tables, double range, SheetError& error) {
   constexpr double rest = 4;  // of a series that falls by a quarter from term to term, over its last term
-  for (const BandTable& table : tables) {
+  for (const BandSeries& table : tables) {
     const double n = table.size().nodes_in_xi, width = table.band().map.xi.width(), largest = table.largest();
     error.tau = larger(error.tau, rest * (table.tail_in_xi() + table.tail_in_t()));
     if (!(width > narrow_share * range && largest > 0)) continue;
@@ -101,7 +101,7 @@ void add_tails(const std::vector<BandTable>& tables, double range, SheetError& e
 
 }  // namespace
 
-SheetError error_of(const std::vector<BandTable>& tables, const Material& material, const Path& path,
+SheetError error_of(const std::vector<BandSeries>& tables, const Material& material, const Path& path,
                     const SheetOptions& options, Watch watch, std::int64_t& calls) {
   const Telling telling = watch.value_or(Telling::state);
   const Course increments(material, path, options.end, Form::increments, telling);
@@ -110,7 +110,7 @@ SheetError error_of(const std::vector<BandTable>& tables, const Material& materi
   const HistoryOptions history{.tolerance = std::max(watch ? 1e-12 : 1e-13, 1e-5 * options.tolerance),
                                .watch = watch.has_value()};
   std::vector<Stencil> stencils;
-  for (const BandTable& table : tables) {
+  for (const BandSeries& table : tables) {
     for (const double place : places_in_s) stencils.push_back(lay_out(table, place, share));
   }
   const auto count = static_cast<double>(stencils.size());
@@ -125,7 +125,7 @@ SheetError error_of(const std::vector<BandTable>& tables, const Material& materi
     calls += stencil.calls;
     history_error = larger(history_error, stencil.error);
   }
-  for (const BandTable& table : tables) history_error = larger(history_error, table.noise());
+  for (const BandSeries& table : tables) history_error = larger(history_error, table.noise());
   add_tails(tables, path.parameter.width(), error);
   if (error.tau_scale > 0) error.tau /= error.tau_scale;
   if (error.dtau_scale > 0) error.dtau /= error.dtau_scale;

@@ -33,9 +33,7 @@ Vec<2> current_normal(const State<2>& s, const SurfaceEdge& edge) {
 Vec<2> force_on(const State<2>& s, const SurfaceEdge& edge, const ExactInstant& field, std::size_t k) {
   const Traction& traction = *s.setup.traction;
   const bool undeformed = traction.algorithm == TractionAlgorithm::undeformed_edges;
-  if (traction.form == TractionForm::reference && !undeformed) {
-    return times(field.first_piola_kirchhoff(k), edge.N_dA);
-  }
+  if (traction.form == TractionForm::reference && !undeformed) return times(field.first_piola_kirchhoff(k), edge.N_dA);
   Vec<2> n = current_normal(s, edge);
   if (undeformed) {
     const double share = std::hypot(edge.N_dA[0], edge.N_dA[1]) / std::hypot(n[0], n[1]);

@@ -23,9 +23,7 @@ BlockSums sums_of_block(const State<Dim>& s, bool with_body_force, std::size_t b
   for (std::size_t p = begin; p < end; ++p) {
     const double m = s.column(Column::mass)[p];
     if (with_body_force) {
-      for (int d = 0; d < Dim; ++d) {
-        sums.impulse[static_cast<std::size_t>(d)] += m * s.column(Column::body_force, d)[p];
-      }
+      for (int d = 0; d < Dim; ++d) sums.impulse[static_cast<std::size_t>(d)] += m * s.column(Column::body_force, d)[p];
       sums.torque += m * (s.column(Column::position, 0)[p] * s.column(Column::body_force, 1)[p] -
                           s.column(Column::position, 1)[p] * s.column(Column::body_force, 0)[p]);
     }

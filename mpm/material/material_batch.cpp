@@ -54,9 +54,7 @@ void end_stress(State<Dim>& s, BlockOutcome outcome) {
 template <int Dim>
 Kernel stress_kernel(State<Dim>& s) {
   auto materials = std::make_shared<MaterialBatches<Dim>>(s);
-  if (s.setup.offload) {
-    return [&s, materials](const Instant& now) { end_stress(s, materials->update_elsewhere(now)); };
-  }
+  if (s.setup.offload) return [&s, materials](const Instant& now) { end_stress(s, materials->update_elsewhere(now)); };
   return Kernel::over_blocks(
       [materials](const Instant& now, const Block& block) { return materials->update(block.begin, block.end, now); },
       [&s, materials](const Instant&, std::optional<std::size_t>) { end_stress(s, materials->take_first()); });

@@ -34,9 +34,7 @@ bool is_inner(const Vec<2>& node, const Mat<2>& F, double h) {
 using Stress = std::array<double, stress_components<2>>;
 
 void fill(State<2>& s, const Stress& sigma) {
-  for (std::size_t c = 0; c < sigma.size(); ++c) {
-    std::fill_n(s.column(Column::stress, c), s.particles, sigma[c]);
-  }
+  for (std::size_t c = 0; c < sigma.size(); ++c) std::fill_n(s.column(Column::stress, c), s.particles, sigma[c]);
 }
 
 Pass<2> prescribed_stress(const Stress& sigma) {

@@ -21,9 +21,7 @@ void disturb(State<2>& s) {
     s.column(Column::velocity, 0)[p] = 0.3 - y + 0.2 * noise();
     s.column(Column::velocity, 1)[p] = x + 0.5 * y + 0.2 * noise();
     Mat<2> F;
-    for (std::size_t c = 0; c < 4; ++c) {
-      F[c] = s.column(Column::deformation_gradient, c)[p] += 0.1 * noise();
-    }
+    for (std::size_t c = 0; c < 4; ++c) F[c] = s.column(Column::deformation_gradient, c)[p] += 0.1 * noise();
     const auto sigma = stress_at(*s.setup.material, F);
     for (std::size_t c = 0; c < sigma.size(); ++c) s.column(Column::stress, c)[p] = sigma[c];
   }

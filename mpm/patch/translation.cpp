@@ -53,9 +53,7 @@ Flight fly(const Method& method, const Bench& bench, int across, const Course& c
   }
   Simulation<2> simulation(setup, bench.passes(setup));
   State<2>& s = simulation.state();
-  for (std::size_t d = 0; d < 2; ++d) {
-    std::fill_n(s.column(Column::velocity, d), s.particles, course.velocity[d]);
-  }
+  for (std::size_t d = 0; d < 2; ++d) std::fill_n(s.column(Column::velocity, d), s.particles, course.velocity[d]);
   const Momentum before = momentum_of(s);
   const double speed = std::hypot(course.velocity[0], course.velocity[1]);
   Flight flight;

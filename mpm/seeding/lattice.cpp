@@ -185,9 +185,7 @@ void turn(Seeds<2>& seeds, double angle, bool half_edges) {
     seeds.X[0][p] = X[0], seeds.X[1][p] = X[1];
   }
   for (auto& X : seeds.held) X = by.turned(X);
-  if (!half_edges && seeds.half_size[0] != seeds.half_size[1]) {
-    seeds.half_size.fill(0.5 * std::sqrt(seeds.volume()));
-  }
+  if (!half_edges && seeds.half_size[0] != seeds.half_size[1]) seeds.half_size.fill(0.5 * std::sqrt(seeds.volume()));
   seeds.angle += angle;
 }
 

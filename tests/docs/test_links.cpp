@@ -51,8 +51,8 @@ const std::set<std::string>& tests() {
   return found;
 }
 
-/// What is wrong with a word in backticks that is a path (`mpm/basis/basis.hpp`, `harness/sheet/sheet.cpp:slice`, where
-/// the file must hold the name) or the name of a test (`Suite.Test`); empty: nothing, or it is neither.
+/// What is wrong with a word in backticks that is a path (`mpm/basis/basis.hpp`, `harness/sheet/sheet.cpp:isochrone`,
+/// where the file must hold the name) or the name of a test (`Suite.Test`); empty: nothing, or it is neither.
 std::string defect_of(const std::string& word) {
   static const std::regex path_form(
       R"(((?:harness|adapters|mpm|drivers|tests|configs|bench|docs|cmake|completions|\.ci)/[\w./-]*)(?::(\w+))?)");

@@ -22,7 +22,7 @@ Difference largest_difference(const Sheet& sheet, const Path& path, double end, 
     for (int j = 0; j < 29; ++j) {
       const double xi = path.parameter.lower + path.parameter.width() * (i + 0.37) / 23, t = end * (j + 0.61) / 29;
       Tensor tau, dtau, tau_exact, dtau_exact;
-      sheet.slice(t).at(xi, tau, dtau);
+      sheet.isochrone(t).at(xi, tau, dtau);
       exact(xi, t, tau_exact, dtau_exact);
       d.tau = std::max(d.tau, (tau - tau_exact).cwiseAbs().maxCoeff());
       d.dtau = std::max(d.dtau, (dtau - dtau_exact).cwiseAbs().maxCoeff());

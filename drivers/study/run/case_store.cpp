@@ -242,9 +242,7 @@ bool CaseStore::take(const PlannedCase& one, const CaseStore& from, CaseState st
   const auto lock = this->lock(one);
   if (!lock) return false;
   begin(one);
-  for (const std::string& name : files_in(source)) {
-    write_file(folder / name, bytes_of(source / name).value_or(""));
-  }
+  for (const std::string& name : files_in(source)) write_file(folder / name, bytes_of(source / name).value_or(""));
   write_file(folder / record_file, bytes_of(source / record_file).value_or(""));
   return true;
 }

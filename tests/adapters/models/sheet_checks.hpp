@@ -55,7 +55,7 @@ inline Tensor exact_tau(const ModelCase& c, const Amplitude& g, double xi, doubl
 
 /// Distance in xi from the nearest kink of the sheet at the time t, xi = 0 and the ends of the range.
 inline double distance_from_kinks(const Sheet& sheet, const Interval& range, double xi, double t) {
-  std::vector<double> kinks = sheet.has_kinks() ? sheet.slice(t).kinks() : std::vector<double>();
+  std::vector<double> kinks = sheet.has_kinks() ? sheet.isochrone(t).kinks() : std::vector<double>();
   kinks.insert(kinks.end(), {range.lower, range.upper, 0});
   double nearest = range.width();
   for (const double kink : kinks) nearest = std::min(nearest, std::abs(xi - kink));

@@ -57,7 +57,7 @@ TEST(Shadow, KnowsWhereTheFrontsAre) {
   const Sheet sheet(*material, path, {.tolerance = 1e-6, .end = 1});
   const double spacing = path.parameter.width() / 399;
   for (const double t : {0.1, 0.3, 0.8}) {
-    const std::vector<double> found = response.at_time(t)->fronts(), exact = sheet.slice(t).kinks();
+    const std::vector<double> found = response.at_time(t)->fronts(), exact = sheet.isochrone(t).kinks();
     EXPECT_FALSE(found.empty());
     for (const double front : found) {
       double nearest = 1e9;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "harness/motion/kinds/vortex.hpp"
-#include "harness/sheet/band_table.hpp"
+#include "harness/sheet/band_series.hpp"
 #include "tests/harness/builtin_material.hpp"
 
 namespace assay::test_band {
@@ -101,14 +101,14 @@ TEST(Bands, AreNotMadeByReloadingToTheSamePeak) {
   }
 }
 
-TEST(BandTable, FollowsTheFrontAndSurvivesPacking) {
+TEST(BandSeries, FollowsTheFrontAndSurvivesPacking) {
   const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}}.baseline();
   const auto material = builtin_material(assay_builtin_j2_jaumann, plastic);
   const Course course(*material, path, 0.5, Form::increments);
   const HistoryOptions options{.tolerance = 1e-12, .watch = true};
   std::int64_t calls = 0;
   const Band band = find_bands(course, options, {}, {}, calls).back();
-  const BandTable table(course, band, {30, 30}, options, {});
+  const BandSeries table(course, band, {30, 30}, options, {});
   const double gamma_y = 2 * std::asin(10 / (std::sqrt(3.0) * 2 * 1000 / 2.6));
   for (const double xi : {0.3, 1.1, 2.5}) {  // |gamma| = gamma_y there
     const double front = std::asin(gamma_y / (2 * xi * 0.1)) / std::acos(-1.0);
@@ -117,7 +117,7 @@ TEST(BandTable, FollowsTheFrontAndSurvivesPacking) {
   std::vector<double> packed;
   table.pack(packed);
   std::span<const double> left(packed);
-  const BandTable copy(left);
+  const BandSeries copy(left);
   EXPECT_TRUE(left.empty());
   Tensor tau, slope, again, slope_again;
   table.at(0.7, 0.31, tau, slope);
@@ -127,7 +127,7 @@ TEST(BandTable, FollowsTheFrontAndSurvivesPacking) {
   // negative control: without its breaks the same number of nodes does not resolve the kink
   const Course plain(*material, path, 0.5, Form::increments);
   const Band whole{{{0, path.parameter.upper}}, {plain.pieces, {1}}, 1};
-  const BandTable blind(plain, whole, {30, 30}, {.tolerance = 1e-12, .watch = false}, {});
+  const BandSeries blind(plain, whole, {30, 30}, {.tolerance = 1e-12, .watch = false}, {});
   EXPECT_LT(std::max(table.tail_in_xi(), table.tail_in_t()), 1e-6 * table.largest());
   EXPECT_GT(std::max(blind.tail_in_xi(), blind.tail_in_t()), 1e-4 * blind.largest());
 }

@@ -75,7 +75,7 @@ TEST(Sheet, OfAPathIndependentMaterialIsACurveThatHoldsForAllTimes) {
   const auto form = *ClosedForm::of(elastic_material(), path);
   for (const double t : {0.3, 1.6, 123456.7}) {
     Tensor tau, dtau, exact, exact_slope;
-    sheet.slice(t).at(-2.1, tau, dtau);
+    sheet.isochrone(t).at(-2.1, tau, dtau);
     form.at(-2.1, t, exact, exact_slope);
     EXPECT_LT((tau - exact).norm(), 1e-11 * 1e3);
     EXPECT_LT((dtau - exact_slope).norm(), 1e-10 * 1e3);
@@ -94,7 +94,7 @@ TEST(Sheet, OfACurveWithAKinkStatesWhatItLacks) {
   double largest = 0, scale = 0;
   for (double xi = path.parameter.lower; xi < path.parameter.upper; xi += 0.003 * path.parameter.width()) {
     Tensor tau, dtau;
-    sheet.slice(0.5).at(xi, tau, dtau);
+    sheet.isochrone(0.5).at(xi, tau, dtau);
     const double exact = bilinear_stress(0.113, 2 * xi * 0.1);
     largest = std::max(largest, std::abs(tau(1, 0) - exact));
     scale = std::max(scale, std::abs(exact));
@@ -110,7 +110,7 @@ TEST(Sheet, OfASmoothMaterialHasNoKinksHoweverFinelyItIsDivided) {
                     {.tolerance = 1e-6, .end = 0.5});
   EXPECT_GT(sheet.nodes_in_xi(), 80);
   EXPECT_FALSE(sheet.has_kinks());
-  EXPECT_TRUE(sheet.slice(0.4).kinks().empty());
+  EXPECT_TRUE(sheet.isochrone(0.4).kinks().empty());
   const Difference d = largest_difference(
       sheet, path, 0.5, [&](double xi, double t, Tensor& tau, Tensor& dtau) { jaumann(path, xi, t, tau, dtau); });
   EXPECT_LT(d.tau, 1e-5);
@@ -120,7 +120,7 @@ TEST(Sheet, ServesPathsThatNeverLoad) {
   const Path path = Vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.0, 1.0}}.baseline();
   const Sheet sheet(*elastic_material(), path, {.end = 1});
   Tensor tau, dtau;
-  sheet.slice(0.5).at(1.0, tau, dtau);
+  sheet.isochrone(0.5).at(1.0, tau, dtau);
   EXPECT_EQ(tau.norm(), 0);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tau(xi) of one time: what a sheet is cut into for the many points of a step.
+// The isochrone of a sheet, tau(xi) at one time: what it is cut into for the many points of a step.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 namespace assay {
 
 /// Chebyshev series on ranges of xi between kinks.
-class Slice {
+class Isochrone {
  public:
   struct Range {
     BandMap map;                       ///< xi <-> s
@@ -25,7 +25,7 @@ class Slice {
   };
 
   /// Ranges ascending, without gaps. factor: the series is in factor * xi (g(t) where a sheet is a curve in eps).
-  explicit Slice(std::vector<Range> ranges, double factor = 1);
+  explicit Isochrone(std::vector<Range> ranges, double factor = 1);
 
   /// Nine components of tau and of d tau / d xi at xi [Pa].
   void at(double xi, Tensor& tau, Tensor& dtau_dxi) const;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A BandTable as a list of numbers, and back.
-#include "harness/sheet/band_table.hpp"
+// A BandSeries as a list of numbers, and back.
+#include "harness/sheet/band_series.hpp"
 
 namespace assay {
 
-void BandTable::pack(std::vector<double>& out) const {
+void BandSeries::pack(std::vector<double>& out) const {
   const auto add = [&](const auto& list) {
     out.push_back(static_cast<double>(list.size()));
     for (const auto value : list) out.push_back(static_cast<double>(value));
@@ -20,7 +20,7 @@ void BandTable::pack(std::vector<double>& out) const {
   add(coefficients_);
 }
 
-BandTable::BandTable(std::span<const double>& in) {
+BandSeries::BandSeries(std::span<const double>& in) {
   const auto take = [&] {
     const double value = in.front();
     in = in.subspan(1);

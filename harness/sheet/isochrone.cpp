@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/sheet/slice.hpp"
+#include "harness/sheet/isochrone.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ double in_series(double s, const Interval& part) {
 
 }  // namespace
 
-void Slice::Range::trim() {
+void Isochrone::Range::trim() {
   upper = map.xi_of(s.upper);
   double scale = 0;
   for (const double c : coefficients) scale = std::max(scale, std::abs(c));
@@ -34,15 +34,15 @@ void Slice::Range::trim() {
   }
 }
 
-Slice::Slice(std::vector<Range> ranges, double factor) : ranges_(std::move(ranges)), factor_(factor) {}
+Isochrone::Isochrone(std::vector<Range> ranges, double factor) : ranges_(std::move(ranges)), factor_(factor) {}
 
-const Slice::Range& Slice::range_of(double parameter) const {
+const Isochrone::Range& Isochrone::range_of(double parameter) const {
   const auto found =
       std::find_if(ranges_.begin(), ranges_.end() - 1, [&](const Range& range) { return parameter < range.upper; });
   return *found;
 }
 
-void Slice::at(double xi, Tensor& tau, Tensor& dtau_dxi) const {
+void Isochrone::at(double xi, Tensor& tau, Tensor& dtau_dxi) const {
   const Range& range = range_of(factor_ * xi);
   const double s = range.map.s_of(factor_ * xi), slope = range.map.slope(s) * range.s.width();
   const double x = in_series(s, range.s);
@@ -99,7 +99,7 @@ ASSAY_VECTOR_CLONES void sum_series(const double* coefficients, std::size_t stri
 }  // namespace
 
 /// How many of the next values of xi, one at least and at most `lanes`, are of one range; x: where in its series.
-std::size_t Slice::neighbours_from(std::span<const double> xi, const Range& range, double* x) const {
+std::size_t Isochrone::neighbours_from(std::span<const double> xi, const Range& range, double* x) const {
   constexpr double all = std::numeric_limits<double>::infinity();
   const double lower = &range == &ranges_.front() ? -all : (&range - 1)->upper;
   const double upper = &range == &ranges_.back() ? all : range.upper;
@@ -116,7 +116,8 @@ std::size_t Slice::neighbours_from(std::span<const double> xi, const Range& rang
 }
 
 /// Neighbours in xi are mostly of one range.
-void Slice::plane_tau(std::span<const double> xi, std::span<double> tau, std::size_t first, std::size_t last) const {
+void Isochrone::plane_tau(std::span<const double> xi, std::span<double> tau, std::size_t first,
+                          std::size_t last) const {
   const std::size_t n = xi.size();
   for (std::size_t c = 0; c < 4; ++c) std::fill(&tau[c * n] + first, &tau[c * n] + last, 0.0);
   for (std::size_t begin = first, count = 0; begin < last; begin += count) {
@@ -133,7 +134,7 @@ void Slice::plane_tau(std::span<const double> xi, std::span<double> tau, std::si
   }
 }
 
-std::vector<double> Slice::kinks() const {
+std::vector<double> Isochrone::kinks() const {
   std::vector<double> kinks;
   for (std::size_t k = 0; k + 1 < ranges_.size(); ++k) {
     const Range& range = ranges_[k];

@@ -13,14 +13,14 @@ struct BandSize {
   int nodes_in_xi = 0, nodes_in_t = 0;  ///< the latter a stretch
 };
 
-class BandTable {
+class BandSeries {
  public:
   /// Samples histories at the nodes. Throws MaterialFailure; StrayHistory where a history at a node takes other
   /// branches than the band's.
-  BandTable(const Course& course, const Band& band, BandSize size, const HistoryOptions& options,
-            const Workers& workers);
+  BandSeries(const Course& course, const Band& band, BandSize size, const HistoryOptions& options,
+             const Workers& workers);
   /// From what `pack` has left.
-  explicit BandTable(std::span<const double>& packed);
+  explicit BandSeries(std::span<const double>& packed);
   void pack(std::vector<double>& packed) const;
 
   /// tau and (d tau / d xi)_t [Pa].

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/sheet/band_table.hpp"
+#include "harness/sheet/band_series.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,14 +56,14 @@ std::vector<double> node_times(const std::vector<double>& breaks, const std::vec
 
 }  // namespace
 
-BandTable::BandTable(const Course& course, const Band& band, BandSize size, const HistoryOptions& options,
-                     const Workers& workers)
+BandSeries::BandSeries(const Course& course, const Band& band, BandSize size, const HistoryOptions& options,
+                       const Workers& workers)
     : band_(band), size_(size) {
   sample(course, options, workers);
   transform();
 }
 
-void BandTable::sample(const Course& course, const HistoryOptions& options, const Workers& workers) {
+void BandSeries::sample(const Course& course, const HistoryOptions& options, const Workers& workers) {
   const std::size_t stretches = band_.stretches();
   const std::vector<double> s = chebyshev::gauss_nodes(size_.nodes_in_xi), u = chebyshev::gauss_nodes(size_.nodes_in_t);
   breaks_.resize((stretches + 1) * n_x());
@@ -91,9 +91,7 @@ void BandTable::sample(const Course& course, const HistoryOptions& options, cons
       if (row % (n_t() + 1) == n_t()) continue;  // a break
       const std::size_t node = row - row / (n_t() + 1);
       const Tensor tau = first_piola_kirchhoff(trail.cauchy(row), course.path->deformation_gradient(xi, times[row]));
-      for (int c = 0; c < 9; ++c) {
-        values_[(node * n_x() + k) * 9 + static_cast<std::size_t>(c)] = component(tau, c);
-      }
+      for (int c = 0; c < 9; ++c) values_[(node * n_x() + k) * 9 + static_cast<std::size_t>(c)] = component(tau, c);
     }
     calls[k] += trail.calls;
     errors[k] = trail.error;
@@ -103,7 +101,7 @@ void BandTable::sample(const Course& course, const HistoryOptions& options, cons
 }
 
 /// Values to coefficients; leaves the components that are not zero.
-void BandTable::transform() {
+void BandSeries::transform() {
   const std::size_t stretches = band_.stretches();
   const chebyshev::GaussTransform along_xi(size_.nodes_in_xi), along_t(size_.nodes_in_t);
   double largest[9] = {};
@@ -151,7 +149,7 @@ void BandTable::transform() {
   find_break_ranges();
 }
 
-void BandTable::find_break_ranges() {
+void BandSeries::find_break_ranges() {
   constexpr int samples = 33;
   for (std::size_t i = 0; i < moves_.size(); ++i) {
     Interval range{break_at(i, 0), break_at(i, 0)};
@@ -164,7 +162,7 @@ void BandTable::find_break_ranges() {
 }
 
 /// An error of a break's time moves tau by its rate in the stretches beside it.
-void BandTable::find_tail_of_breaks() {
+void BandSeries::find_tail_of_breaks() {
   const std::size_t stretches = band_.stretches();
   for (std::size_t i = 1; i < stretches; ++i) {
     if (!moves_[i]) continue;
@@ -176,7 +174,7 @@ void BandTable::find_tail_of_breaks() {
   }
 }
 
-double BandTable::steepest() const {
+double BandSeries::steepest() const {
   constexpr int samples = 5;
   double steepest = 0;
   Tensor tau, slope;
@@ -191,9 +189,9 @@ double BandTable::steepest() const {
   return steepest;
 }
 
-bool BandTable::any_moves() const { return std::find(moves_.begin(), moves_.end(), true) != moves_.end(); }
+bool BandSeries::any_moves() const { return std::find(moves_.begin(), moves_.end(), true) != moves_.end(); }
 
-double BandTable::break_at(std::size_t i, double s) const {
+double BandSeries::break_at(std::size_t i, double s) const {
   if (!moves_[i]) return breaks_[i * n_x()];
   const Polynomials x(s, n_x());
   double t = 0;
@@ -201,13 +199,13 @@ double BandTable::break_at(std::size_t i, double s) const {
   return t;
 }
 
-std::size_t BandTable::stretch_at(double s, double t) const {
+std::size_t BandSeries::stretch_at(double s, double t) const {
   std::size_t stretch = 0;
   while (stretch + 1 < band_.stretches() && t >= break_at(stretch + 1, s)) ++stretch;
   return stretch;
 }
 
-void BandTable::active_at(double s, double t, std::size_t stretch, std::span<double> tau) const {
+void BandSeries::active_at(double s, double t, std::size_t stretch, std::span<double> tau) const {
   const double begin = break_at(stretch, s), width = break_at(stretch + 1, s) - begin;
   const Polynomials x(s, n_x()), time(width > 0 ? std::clamp((t - begin) / width, 0.0, 1.0) : 0.5, n_t());
   const std::size_t active = active_.size();
@@ -221,7 +219,7 @@ void BandTable::active_at(double s, double t, std::size_t stretch, std::span<dou
   }
 }
 
-void BandTable::cut(std::size_t stretch, double t, std::vector<double>& coefficients) const {
+void BandSeries::cut(std::size_t stretch, double t, std::vector<double>& coefficients) const {
   const double begin = breaks_[stretch * n_x()], width = breaks_[(stretch + 1) * n_x()] - begin;
   const Polynomials time(width > 0 ? std::clamp((t - begin) / width, 0.0, 1.0) : 0.5, n_t());
   const std::size_t row_size = n_x() * active_.size();
@@ -232,7 +230,7 @@ void BandTable::cut(std::size_t stretch, double t, std::vector<double>& coeffici
   }
 }
 
-void BandTable::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
+void BandSeries::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
   const double s = band_.map.s_of(xi);
   const std::size_t stretch = stretch_at(s, t), active = active_.size();
   const Polynomials x(s, n_x());
