@@ -32,21 +32,22 @@ void ClosedForm::at(double xi, double t, double g, Tensor& tau, Tensor& dtau_dxi
 }
 
 void ClosedForm::at(std::span<const double> xi, double t, double g, double* tau, double* dtau_dxi) const {
+  const std::size_t n = xi.size();
   std::array<double, at_once> eps;
-  for (std::size_t i = 0; i < xi.size(); ++i) eps[i] = xi[i] * g;
-  const auto fails = [&](std::size_t first, std::size_t n) {
-    return (*form_)(baseline_, n, &eps[first], tau + 9 * first, dtau_dxi + 9 * first) == ASSAY_FAILED;
+  for (std::size_t i = 0; i < n; ++i) eps[i] = xi[i] * g;
+  const auto fails = [&](std::size_t first, std::size_t count) {
+    return (*form_)(baseline_, count, &eps[first], tau, dtau_dxi) == ASSAY_FAILED;
   };
   const std::lock_guard lock(*one_at_a_time_);
-  if (fails(0, xi.size())) {
+  if (fails(0, n)) {
     std::size_t bad = 0;
-    while (bad + 1 < xi.size() && !fails(bad, 1)) ++bad;
+    while (bad + 1 < n && !fails(bad, 1)) ++bad;
     throw MaterialFailure(with_reason("its closed form failed", *material_), xi[bad], t);
   }
-  for (std::size_t i = 0; i < 9 * xi.size(); ++i) {
+  for (std::size_t i = 0; i < 9 * n; ++i) {
     dtau_dxi[i] *= g;
     if (std::isfinite(tau[i]) && std::isfinite(dtau_dxi[i])) continue;
-    throw MaterialFailure("its closed form is not finite", xi[i / 9], t);
+    throw MaterialFailure("its closed form is not finite", xi[i % n], t);
   }
 }
 
@@ -76,7 +77,7 @@ class FormAtTime final : public ResponseAtTime {
       const std::span some = xi.subspan(first, std::min(ClosedForm::at_once, xi.size() - first));
       form_.at(some, t_, g_, values.data(), slopes.data());
       for (std::size_t i = 0; i < some.size(); ++i) {
-        for (const std::size_t c : {0, 1, 2, 3}) tau[c * xi.size() + first + i] = values[9 * i + c + c / 2];
+        for (const std::size_t c : {0, 1, 2, 3}) tau[c * xi.size() + first + i] = values[(c + c / 2) * some.size() + i];
       }
     }
   }

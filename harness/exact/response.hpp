@@ -26,7 +26,7 @@ class ClosedForm {
 
   static constexpr std::size_t at_once = 64;  ///< points of a call at most
 
-  /// At n <= at_once values of xi, with one call of the model: tau[9 * i + c] and (d tau / d xi)_t [Pa].
+  /// At n <= at_once values of xi, with one call of the model: tau[c * n + i] and (d tau / d xi)_t [Pa].
   /// Throws MaterialFailure.
   void at(std::span<const double> xi, double t, double g, double* tau, double* dtau_dxi) const;
   double amplitude(double t) const { return amplitude_(t); }

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "mpm/grid/grid_field.hpp"
 #include "mpm/grid/grid_geometry.hpp"
