@@ -12,8 +12,9 @@
 //   add_all<K, WithSlopes>(nodes, n, given, f)   adds w_i A + sum_d B_d grad_d w_i to each node i; add for one of them
 //   add_all_affine<K>(nodes, n, given, f)        adds w_i (A + sum_d B_d r_i,d); add_affine for one of them
 //   sum_all<K, G>(nodes, n, f, taken)            sum_i w_i f_i (K components), sum_i f_i (x) grad w_i of the first G;
-//   sum moment<K>(nodes, k, f)            sum_i w_i f_i (x) r_i of the first Dim components spread(nodes, k) D = sum_i
-//   w_i r_i (x) r_i [m^2]
+//                                                sum for one of them
+//   moment<K>(nodes, k, f)            sum_i w_i f_i (x) r_i of the first Dim components
+//   spread(nodes, k)                  D = sum_i w_i r_i (x) r_i [m^2]
 // where w_i is phi_ip, the weight of node i for particle p, grad w_i its gradient [1/m] and r_i = x_i - sum_j w_j x_j.
 #pragma once
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <tuple>
 
 #include "mpm/setup/with_basis.hpp"
 
@@ -17,11 +18,14 @@ struct BasisCase {
   static constexpr int Dim = D;
   using Basis = B<D>;
 };
-using EveryBasis = testing::Types<
-    BasisCase<LinearBasis, 2>, BasisCase<UgimpBasis, 2>, BasisCase<CpgimpBasis, 2>, BasisCase<CpdiBasis, 2>,
-    BasisCase<Cpdi2Basis, 2>, BasisCase<Bspline2Basis, 2>, BasisCase<Bspline3Basis, 2>, BasisCase<Bspline4Basis, 2>,
-    BasisCase<LinearBasis, 3>, BasisCase<UgimpBasis, 3>, BasisCase<CpgimpBasis, 3>, BasisCase<CpdiBasis, 3>,
-    BasisCase<Cpdi2Basis, 3>, BasisCase<Bspline2Basis, 3>, BasisCase<Bspline3Basis, 3>, BasisCase<Bspline4Basis, 3>>;
+
+template <class... Cases>
+testing::Types<Cases...> types_of(std::tuple<Cases...>);
+#define ASSAY_BASIS(word, type, header) std::tuple<BasisCase<type, 2>, BasisCase<type, 3>>(),
+using EveryBasis = decltype(types_of(std::tuple_cat(
+#include "mpm/basis/bases.inc"
+    std::tuple<>())));
+#undef ASSAY_BASIS
 
 struct BasisCaseName {
   template <class T>
