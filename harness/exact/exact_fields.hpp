@@ -29,7 +29,7 @@
 
 namespace assay {
 
-class AxisAligned;
+struct AxisAligned;
 
 struct PlaneState {
   Point x{}, v{};                 ///< [m], [m/s]
