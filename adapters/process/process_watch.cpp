@@ -145,9 +145,11 @@ bool watcher_has_others() {
   const std::string watcher = std::to_string(::getppid());
   const ProcText children(::getppid(), ("task/" + watcher + "/children").c_str());
   const char* at = children.text;
-  for (char* end = nullptr; const long process = std::strtol(at, &end, 10); at = end)
+  for (char* end = nullptr;; at = end) {
+    const long process = std::strtol(at, &end, 10);
+    if (process == 0) return others;
     others = others || process != ::getpid();
-  return others;
+  }
 }
 
 /// Whether a stream does not wait where it should.

@@ -50,7 +50,7 @@ bool begins_elsewhere(const ForeignVariable& v) {
 
 /// "vector", or "{kind: vector, initial: [1, 0, 0]}"
 std::string variable_words(const ForeignVariable& v) {
-  const std::string kind = names_of(v.kind)[static_cast<std::size_t>(v.kind)];
+  std::string kind = names_of(v.kind)[static_cast<std::size_t>(v.kind)];
   if (!begins_elsewhere(v)) return kind;
   std::vector<std::string> numbers;
   for (const double value : v.initial) numbers.push_back(number_text(value));

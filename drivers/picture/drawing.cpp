@@ -20,14 +20,14 @@ std::string number(double value) { return rounded_text(std::round(value * 100) /
 /// fixed colours have their own.
 struct RoleStyle {
   Ink::Role role;
-  const char* opacity;
   std::uint32_t print;
+  const char* opacity;
 };
-constexpr RoleStyle role_styles[] = {{Ink::Role::text, "", 0x1a1a1a},
-                                     {Ink::Role::axis, ".7", 0x4d4d4d},
-                                     {Ink::Role::grid, ".16", 0xdedede},
-                                     {Ink::Role::faint, ".4", 0xa4a4a4},
-                                     {Ink::Role::band, ".22", 0xcdcdcd}};
+constexpr RoleStyle role_styles[] = {{Ink::Role::text, 0x1a1a1a, ""},
+                                     {Ink::Role::axis, 0x4d4d4d, ".7"},
+                                     {Ink::Role::grid, 0xdedede, ".16"},
+                                     {Ink::Role::faint, 0xa4a4a4, ".4"},
+                                     {Ink::Role::band, 0xcdcdcd, ".22"}};
 
 const RoleStyle* style_of(Ink ink) {
   const auto* found = std::find_if(std::begin(role_styles), std::end(role_styles),
@@ -44,7 +44,7 @@ Color print_color(Ink ink) {
 
 std::string css(Ink ink) {
   if (style_of(ink)) return "currentColor";
-  const std::string color = css_color(print_color(ink));
+  std::string color = css_color(print_color(ink));
   if (ink.role == Ink::Role::fixed) return color;
   const char* variable = ink.role == Ink::Role::series ? "var(--series-" : "var(--name-";
   return variable + std::to_string(ink.series % 7) + "," + color + ")";

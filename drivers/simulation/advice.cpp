@@ -71,7 +71,7 @@ std::array<double, 2> sides_of_body(const Problem& problem) {
 
 std::string advice_after_large_error(const Problem& problem, double relative) {
   constexpr double large = 0.3;  ///< where the waves of a stiff model are to blame
-  const std::string few = few_waves_advice(problem);
+  std::string few = few_waves_advice(problem);
   if (!(relative > (few.empty() ? 1 : large))) return {};
   const std::string why =
       ". The error is " + (relative > 1 ? "larger than the motion" : rounded_text(relative, 2) + " of the motion") +
@@ -106,7 +106,7 @@ std::string advice_after_death(const Problem& problem, const std::string& reason
   if (helps && !averages) keys.emplace_back("remedies.anti_locking: cell");
   if (!helps && averages) keys.emplace_back("remedies.anti_locking: none");
   if (remedies.largest_domain > 0) keys.emplace_back("no remedies.largest_domain");
-  const std::string few = few_waves_advice(problem);
+  std::string few = few_waves_advice(problem);
   if (keys.empty()) return few;
   std::string changes;
   for (const std::string& key : keys) changes += (changes.empty() ? "" : "; ") + key;

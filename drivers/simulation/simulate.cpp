@@ -43,7 +43,7 @@ constexpr std::int64_t fewest_steps_of_good = 64, most_goods = 200;
 /// One run's moving parts, so that the loop itself reads as it is.
 class Run {
  public:
-  Run(Problem& problem, ExactSolutionPtr exact, Snapshots& snapshots, Result& result)
+  Run(Problem& problem, const ExactSolutionPtr& exact, Snapshots& snapshots, Result& result)
       : problem_(problem),
         snapshots_(snapshots),
         result_(result),

@@ -151,7 +151,7 @@ std::optional<double> period_of_few_waves(const Problem& problem) { return perio
 
 std::string period_text(const Problem& problem, double period) {
   const Scene& scene = problem.scene;
-  const std::string text = rounded_text(period, 2);
+  std::string text = rounded_text(period, 2);
   if (!scene.places.contains("time.end")) return text;
   return text + " with time.end: " + rounded_text(period * scene.time.end / problem.period(), 2);
 }

@@ -174,7 +174,7 @@ TurnedTwins twins_of(const Specimen& specimen, SymmetryClass symmetry, const Ten
   const March a = from_rest(specimen, still);
   TurnedTwins worst;
   for (const Tensor& g : generators_of(symmetry)) {
-    const Tensor Q = rotated(axes, g);
+    Tensor Q = rotated(axes, g);
     const March b = from_rest(specimen, {[&](double t) { return rotated(Q, still.F(t)); }, still.phases});
     const double miss = error_between(specimen, a, b, [&](double) { return Q; });
     if (!(miss < worst.miss)) worst = {miss, b.last};

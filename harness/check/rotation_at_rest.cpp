@@ -240,7 +240,7 @@ std::vector<Tensor> tried_stresses(const Specimen& specimen) {
 
 /// initial_state takes a stress, or refuses it; a step without deformation returns it, and it turns with the body.
 TestResult initial_stress(const Specimen& specimen) {
-  const TestResult none = left_out("the model accepts no initial stress");
+  TestResult none = left_out("the model accepts no initial stress");
   if (specimen.material->state_size() == 0) return none;
   Carried best;
   bool taken = false;

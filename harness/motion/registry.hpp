@@ -14,9 +14,10 @@ namespace assay {
 
 /// A path as numbers, for another process to make the same: what a motion keeps in its path's `recipe`. name: under
 /// which its file registers who makes the path again.
-std::vector<double> recipe(std::string name, auto parts) {
+std::vector<double> recipe(const std::string& name, auto parts) {
   NumberWriter writer;
-  writer(name, parts);
+  std::string own = name;  // an archive takes what it could write to
+  writer(own, parts);
   return std::move(writer.numbers);
 }
 

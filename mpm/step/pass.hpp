@@ -48,7 +48,7 @@ enum class Part { first, fold, hand_over, limit, main, hold, take_over, unfold, 
 struct Slot {
   Phase phase = Phase::body_force;
   Part part = Part::main;
-  auto operator<=>(const Slot&) const = default;
+  auto operator<=>(const Slot&) const = default;  // NOLINT(modernize-use-nullptr): what clang 14 makes of it
 };
 
 /// What is known of a pass without running it.

@@ -18,7 +18,7 @@ namespace {
 
 std::string order_text(const StudySeries& series) {
   if (!series.fit) return "-";
-  const std::string text = rounded_text(series.fit->order, 3);
+  std::string text = rounded_text(series.fit->order, 3);
   if (!series.fit->lower || !series.fit->upper) return text;
   return text + " [" + rounded_text(*series.fit->lower, 2) + ", " + rounded_text(*series.fit->upper, 2) + "]";
 }
