@@ -158,8 +158,8 @@ void hint_symmetry(const ResolvedMaterial& material, check::Report& report) {
     model_so.axes = axes;
     check::Effort quick = report.effort;
     quick.quick = true;
-    const auto found = battery_as(model_so, material, quick);
-    return found && found->passes();
+    const auto again = battery_as(model_so, material, quick);
+    return again && again->passes();
   };
   const bool alone = unsaid && passes_with(model->axes);
   const bool turning = !alone && model->axes == Axes::fixed && passes_with(Axes::corotational);
