@@ -11,6 +11,7 @@
 #include "drivers/text/numbers.hpp"
 #include "harness/check/march.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
+#include "harness/motion/kinds/vortex.hpp"
 
 namespace assay::drivers {
 

@@ -11,7 +11,10 @@
 #include "drivers/result/result.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "harness/exact/response.hpp"
-#include "harness/motion/kinds/vortex.hpp"
+
+namespace assay {
+struct Vortex;
+}
 
 namespace assay::drivers {
 
