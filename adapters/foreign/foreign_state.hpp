@@ -50,13 +50,6 @@ inline void write_tensor(const Tensor& A, const std::array<Pair, 9>& order, doub
   for (std::size_t k = 0; k < 9; ++k) out[k * stride] = A(order[k][0], order[k][1]);
 }
 
-/// Of point p among n: [component][point].
-inline Tensor tensor_at(const double* nine, std::size_t n, std::size_t p) {
-  Tensor A;
-  for (std::size_t c = 0; c < 9; ++c) component(A, static_cast<int>(c)) = nine[c * n + p];
-  return A;
-}
-
 /// The names of a list's elements, "a, b".
 std::string listed_names(const auto& list) {
   std::string names;

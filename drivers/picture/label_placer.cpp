@@ -17,10 +17,12 @@ constexpr double later_anchor = 2;    // an anchor is worth this more than the n
 constexpr double close_by = 12;       // no leader is needed
 constexpr int directions = 24;
 
-Box grown(const Box& box, double by) { return {box.left - by, box.top - by, box.right + by, box.bottom + by}; }
+LabelBox grown(const LabelBox& box, double by) {
+  return {box.left - by, box.top - by, box.right + by, box.bottom + by};
+}
 
 /// The box of this size that lies `distance` off the anchor in a direction.
-Box beside(Point anchor, Point size, double distance, double angle) {
+LabelBox beside(Point anchor, Point size, double distance, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   const double x = anchor.x + c * distance + std::clamp(1.6 * c, -1.0, 1.0) * size.x / 2;
   const double y = anchor.y + s * distance + std::clamp(1.6 * s, -1.0, 1.0) * size.y / 2;
@@ -28,22 +30,22 @@ Box beside(Point anchor, Point size, double distance, double angle) {
 }
 
 /// Where a leader from the anchor meets the box.
-Point nearest_point(const Box& box, Point to) {
+Point nearest_point(const LabelBox& box, Point to) {
   return {std::clamp(to.x, box.left, box.right), std::clamp(to.y, box.top, box.bottom)};
 }
 
-double distance_of(const Box& box, Point from) {
+double distance_of(const LabelBox& box, Point from) {
   const Point to = nearest_point(box, from);
   return std::hypot(to.x - from.x, to.y - from.y);
 }
 
 }  // namespace
 
-bool overlap(const Box& a, const Box& b) {
+bool overlap(const LabelBox& a, const LabelBox& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-bool crosses(Point a, Point b, const Box& box) {
+bool crosses(Point a, Point b, const LabelBox& box) {
   double from = 0, to = 1;
   const auto cut = [&](double start, double step, double low, double high) {
     if (step == 0) return start >= low && start <= high;
@@ -63,10 +65,10 @@ void LabelPlacer::avoid(std::span<const Point> line) {
 
 /// None where the label may not stand.
 std::optional<double> LabelPlacer::price(const Place& place, bool on_lines) const {
-  const Box& box = place.box;
+  const LabelBox& box = place.box;
   if (box.left < room_.left || box.right > room_.right || box.top < room_.top || box.bottom > room_.bottom) return {};
   const Point end = nearest_point(box, place.anchor);
-  for (const Box& other : taken_) {
+  for (const LabelBox& other : taken_) {
     if (overlap(grown(box, margin), other)) return {};
     if (place.distance > close_by && crosses(place.anchor, end, grown(other, -1))) return {};
   }
@@ -107,7 +109,7 @@ void put_label(Drawing& out, LabelPlacer& placer, const std::string& text, doubl
   constexpr double off_marker = 7, off_baseline = 0.31;
   const auto place = placer.place(roomy_size(text, size), anchors, reach, on_lines);
   if (!place) return;
-  const Box& box = place->box;
+  const LabelBox& box = place->box;
   const Point from = place->anchor;
   if (place->distance > close_by) {
     const Point end = nearest_point(box, from);

@@ -12,14 +12,14 @@
 
 namespace assay::drivers {
 
-struct Box {
+struct LabelBox {
   double left = 0, top = 0, right = 0, bottom = 0;
 };
 
-bool overlap(const Box& a, const Box& b);
+bool overlap(const LabelBox& a, const LabelBox& b);
 
 /// Whether the straight line from a to b has a point in the box.
-bool crosses(Point a, Point b, const Box& box);
+bool crosses(Point a, Point b, const LabelBox& box);
 
 /// Size of a label where the font of the screen is a wide one (DejaVu Sans is a quarter wider than ours).
 Point roomy_size(std::string_view label, double size);
@@ -27,14 +27,14 @@ Point roomy_size(std::string_view label, double size);
 /// Puts labels down one after the other: none on another, none out of the room, rather not on lines.
 class LabelPlacer {
  public:
-  explicit LabelPlacer(const Box& room) : room_(room) {}
+  explicit LabelPlacer(const LabelBox& room) : room_(room) {}
   /// No label there.
-  void keep_off(const Box& box) { taken_.push_back(box); }
+  void keep_off(const LabelBox& box) { taken_.push_back(box); }
   /// Rather no label across this line.
   void avoid(std::span<const Point> line);
 
   struct Place {
-    Box box;
+    LabelBox box;
     Point anchor;         ///< that of the anchors beside which it stands
     double distance = 0;  ///< from there to the box
   };
@@ -45,8 +45,8 @@ class LabelPlacer {
  private:
   std::optional<double> price(const Place& place, bool on_lines) const;
 
-  Box room_;
-  std::vector<Box> taken_;
+  LabelBox room_;
+  std::vector<LabelBox> taken_;
   std::vector<std::array<Point, 2>> lines_;
 };
 

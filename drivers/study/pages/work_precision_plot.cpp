@@ -138,7 +138,7 @@ class Plot {
   }
 
   void draw_factor(double from, double to, double y, double factor) {
-    const Box room{from + 4, y - 26, to - 4, y + 6};
+    const LabelBox room{from + 4, y - 26, to - 4, y + 6};
     const std::string text = factor_text(factor);
     if (roomy_size(text, name_size).x > to - from - 10) return;
     out_.line({{from + 5, y}, {to - 5, y}}, axis_ink, 1.5);

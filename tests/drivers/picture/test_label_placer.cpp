@@ -8,10 +8,10 @@
 namespace assay::drivers::test_label_placer {
 namespace {
 
-constexpr Box label_room{0, 0, 400, 300};
+constexpr LabelBox label_room{0, 0, 400, 300};
 
 TEST(LabelPlacer, a_line_crosses_a_box_or_not) {
-  const Box box{10, 10, 20, 20};
+  const LabelBox box{10, 10, 20, 20};
   EXPECT_TRUE(crosses({0, 0}, {30, 30}, box));
   EXPECT_TRUE(crosses({15, 15}, {16, 15}, box));
   EXPECT_TRUE(crosses({15, 0}, {15, 30}, box));
@@ -22,7 +22,7 @@ TEST(LabelPlacer, a_line_crosses_a_box_or_not) {
 
 TEST(LabelPlacer, labels_keep_off_one_another_and_inside) {
   LabelPlacer placer(label_room);
-  std::vector<Box> placed;
+  std::vector<LabelBox> placed;
   for (int i = 0; i < 60; ++i) {
     const std::vector<Point> anchors{{200 + 20 * std::cos(1.0 * i), 150 + 20 * std::sin(1.0 * i)}};
     const auto place = placer.place({70, 16}, anchors);

@@ -10,7 +10,7 @@ namespace assay::drivers::test_work_precision_plot {
 namespace {
 
 /// Where a label stands on a screen with a wide font.
-Box box_of_label(const DrawingItem& item) {
+LabelBox box_of_label(const DrawingItem& item) {
   const Point size = roomy_size(item.label, item.size);
   const Point at = item.points[0];
   if (item.upwards) return {at.x - item.size, at.y - size.x / 2, at.x + 0.3 * item.size, at.y + size.x / 2};
@@ -27,7 +27,7 @@ void expect_readable(const Drawing& drawing, const std::string& what) {
       EXPECT_TRUE(p.x >= 0 && p.x <= drawing.width && p.y >= 0 && p.y <= drawing.height) << what << " " << item.label;
     }
     if (item.kind != DrawingItem::Kind::label) continue;
-    const Box box = box_of_label(item);
+    const LabelBox box = box_of_label(item);
     EXPECT_TRUE(box.left >= 0 && box.right <= drawing.width && box.top >= 0 && box.bottom <= drawing.height)
         << what << ": " << item.label;
     for (const DrawingItem* other : labels) {
