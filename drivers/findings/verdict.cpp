@@ -74,10 +74,12 @@ std::string reason_text(const Result& result) {
 }  // namespace
 
 std::string times_text(const Result& result, const std::string& work) {
-  return fmt::format("  {} s: set-up {} s, {} {} s, {}pictures and files {} s\n",
-                     rounded_text(result.setup_s + result.wall_s + result.finish_s, 3), rounded_text(result.setup_s, 3),
-                     work, rounded_text(result.wall_s - result.observed_s, 3), result.observed_s > 0 ? "errors, " : "",
-                     rounded_text(result.finish_s + result.observed_s, 3));
+  const std::string times =
+      fmt::format("{} s: set-up {} s, {} {} s, {}pictures and files {} s",
+                  rounded_text(result.setup_s + result.wall_s + result.finish_s, 3), rounded_text(result.setup_s, 3),
+                  work, rounded_text(result.wall_s - result.observed_s, 3), result.observed_s > 0 ? "errors, " : "",
+                  rounded_text(result.finish_s + result.observed_s, 3));
+  return wrapped(times, "  ", "    ");
 }
 
 std::string process_lines(const Result& result, const std::string& folder) {
