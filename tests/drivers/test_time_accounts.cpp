@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <functional>
+#include <regex>
 
 #include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/process.hpp"
@@ -80,9 +81,11 @@ TEST(TimeAccounts, TheTerminalSaysThem) {
   const std::string scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
   const Ending ran = assay({"run", scene, "-o", scratch / "run", "--set", "grid.spacing=0.25", "--set", "time.end=0.05",
                             "--set", "expect={}"});
-  EXPECT_NE(ran.said.find("s: set-up "), std::string::npos) << ran.said;
-  EXPECT_NE(ran.said.find(", stepping "), std::string::npos) << ran.said;
-  EXPECT_NE(ran.said.find(", pictures and files "), std::string::npos) << ran.said;
+  // The line breaks between its parts where it is longer than a terminal is wide.
+  const std::string said = std::regex_replace(ran.said, std::regex("\\s+"), " ");
+  EXPECT_NE(said.find("s: set-up "), std::string::npos) << ran.said;
+  EXPECT_NE(said.find(", stepping "), std::string::npos) << ran.said;
+  EXPECT_NE(said.find(", pictures and files "), std::string::npos) << ran.said;
 }
 
 }  // namespace
