@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures what each optional effect costs and writes the table of docs/effects.md.
 
-usage: price_effects.py EFFECT_PRICES PAGE.md      the program of bench/effect_prices.cpp, and the page
+usage: price_effects.py EFFECT_PRICES PAGE.md [EFFECT...]
+    the program of bench/effect_prices.cpp, and the page; of these effects the rows alone
 
 Of each effect the same scene with it and without: time by turns, instructions by callgrind (of the best set that it
 knows, AVX2), bytes from the composition. What lies between the page's marks is replaced.
@@ -51,13 +52,32 @@ def row_of(program, price):
             f"{price['bytes_stored']:+,.0f} | {price['bytes_moved']:+,.0f} |")
 
 
+def with_rows(page, rows):
+    """The page with these rows, each in place of the effect's own, or at the end of its table."""
+    begin, end = (page.index(mark) for mark in MARKS)
+    lines = page[begin:end].splitlines(keepends=True)
+    for row in rows:
+        name, cells = row.split(" | ")[0] + " | ", row.count(" | ")
+        table = [k for k, line in enumerate(lines) if line.startswith("| ") and line.count(" | ") == cells]
+        own = [k for k in table if lines[k].startswith(name)]
+        if own:
+            lines[own[0]] = row + "\n"
+        else:
+            lines.insert(table[-1] + 1, row + "\n")
+    return page[:begin] + "".join(lines) + page[end:]
+
+
 def main():
-    program, page = sys.argv[1], Path(sys.argv[2])
+    program, page, names = sys.argv[1], Path(sys.argv[2]), sys.argv[3:]
     of_steps, of_runs = [], []
-    for line in subprocess.run([program], capture_output=True, text=True, check=True).stdout.splitlines():
+    command = [program, *names]
+    for line in subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines():
         price = json.loads(line)
         (of_runs if price["around"] else of_steps).append(row_of(program, price))
         print((of_runs if price["around"] else of_steps)[-1], flush=True)
+    if names:
+        page.write_text(with_rows(page.read_text(), of_steps + of_runs))
+        return
     begin = "| effect | key | ns a particle-step without | price |"
     steps = f"{begin} instructions without | price | bytes stored | bytes moved |\n|{' --- |' * 8}\n"
     runs = f"{begin} steps | of the run with it |\n|{' --- |' * 6}\n"
@@ -71,6 +91,6 @@ def main():
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 3:
         sys.exit(__doc__)
     main()

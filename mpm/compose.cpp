@@ -20,7 +20,7 @@ std::vector<Pass<Dim>> spine_passes(const Setup<Dim>& setup) {
   const bool body_force = Dim == 2 && setup.body_force;  // lives in the plane
   const bool last = method.update == Update::usl, at_once = method.update != Update::usf && !method.has_stages();
   std::vector<Pass<Dim>> passes{
-      weights_pass<Dim>(method, !setup.seeds.half_edges.empty() || setup.remedies.largest_domain > 0),
+      weights_pass<Dim>(method, !setup.seeds.half_edges.empty() || option<LargestDomain>(setup).cells > 0),
       at_once ? particles_and_forces_to_grid_pass<Dim>(method, body_force) : particles_to_grid_pass<Dim>(method),
       grid_update_pass<Dim>(), grid_to_particles_pass<Dim>(method, last, setup.accounts && body_force),
       stress_pass<Dim>(setup.material->state_size() > 0)};
@@ -41,12 +41,23 @@ std::vector<ColumnRecord<Dim>> spine_columns() {
   return {
       {Column::reference_position, "reference_position", "m", "X", vector},
       {Column::position, "position", "m", "x", vector},
-      {Column::velocity, "velocity", "m/s", "v", vector},
+      {.column = Column::velocity, .name = "velocity", .unit = "m/s", .doc = "v", .bytes = vector, .shown = true},
       {Column::mass, "mass", "kg", "constant", number},
       {Column::volume, "volume", "m^3", "reference volume, per unit thickness in two dimensions", number},
-      {Column::deformation_gradient, "deformation_gradient", "1", "F, in-plane components", tensor, true},
-      {Column::stress, "stress", "Pa", "Cauchy stress, in-plane components and 33",
-       [](const Setup<Dim>&) { return doubles(stress_components<Dim>); }, true},
+      {.column = Column::deformation_gradient,
+       .name = "deformation_gradient",
+       .unit = "1",
+       .doc = "F, in-plane components",
+       .bytes = tensor,
+       .of_stress = true,
+       .shown = true},
+      {.column = Column::stress,
+       .name = "stress",
+       .unit = "Pa",
+       .doc = "Cauchy stress, in-plane components and 33",
+       .bytes = [](const Setup<Dim>&) { return doubles(stress_components<Dim>); },
+       .of_stress = true,
+       .shown = true},
       {Column::velocity_gradient, "velocity_gradient", "1/s", "L of the step; dF/dt in the total formulation", tensor,
        true},
       {Column::weights, "weights", "1", "nodes, weights and gradients of the step",
@@ -103,6 +114,19 @@ const std::vector<EffectRecord<Dim>>& effects() {
 }
 
 template <int Dim>
+std::optional<Contradiction> contradiction(const Method& method, const EffectOptions& options) {
+  Setup<Dim> setup;
+  setup.method = method;
+  setup.options = options;
+  for (const EffectRecord<Dim>& effect : effects<Dim>()) {
+    if (!effect.refusal || !effect.called_for(setup)) continue;
+    if (std::string reason = effect.refusal(method, options); !reason.empty())
+      return Contradiction{effect.key, std::move(reason)};
+  }
+  return std::nullopt;
+}
+
+template <int Dim>
 const ColumnRecord<Dim>& record_of(Column column) {
   static const std::vector<ColumnRecord<Dim>> list = [] {
     std::vector<ColumnRecord<Dim>> all = spine_columns<Dim>();
@@ -120,6 +144,7 @@ std::vector<Pass<Dim>> compose(const Setup<Dim>& setup) {
     if (!effect.passes || !effect.called_for(setup)) continue;
     for (Pass<Dim>& pass : effect.passes(setup)) {
       pass.effects.insert(pass.effects.begin(), effect.name);
+      if (pass.called_for_by.empty()) pass.called_for_by = effect.key;
       add_pass(step, std::move(pass));
     }
   }
@@ -174,6 +199,7 @@ std::size_t grid_bytes_per_node(const Setup<Dim>& setup) {
 }
 
 template const std::vector<EffectRecord<ASSAY_DIMENSION>>& effects();
+template std::optional<Contradiction> contradiction<ASSAY_DIMENSION>(const Method&, const EffectOptions&);
 template const ColumnRecord<ASSAY_DIMENSION>& record_of(Column);
 template std::vector<Pass<ASSAY_DIMENSION>> compose(const Setup<ASSAY_DIMENSION>&);
 template std::vector<ColumnUse> columns_of(const std::vector<Pass<ASSAY_DIMENSION>>&, const Setup<ASSAY_DIMENSION>&);

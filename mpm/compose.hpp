@@ -12,6 +12,10 @@ namespace assay::mpm {
 template <int Dim>
 const std::vector<EffectRecord<Dim>>& effects();
 
+/// Why the method has no place for one of the effects that the options call for, and its key.
+template <int Dim>
+std::optional<Contradiction> contradiction(const Method& method, const EffectOptions& options);
+
 /// What a column is, and of which effect.
 template <int Dim>
 const ColumnRecord<Dim>& record_of(Column column);

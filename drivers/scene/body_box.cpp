@@ -46,7 +46,7 @@ Box flight_box(const Scene& scene, const InitialVelocity& v) {
     const double radius = 0.5 * std::hypot(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
     for (std::size_t d = 0; d < 2; ++d) box.lower[d] = middle[d] - radius, box.upper[d] = middle[d] + radius;
   }
-  box.move(velocity_at(v, 0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])), scene.time.end);
+  box.move(v.at(0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])), scene.time.end);
   return box;
 }
 

@@ -8,21 +8,48 @@
 #include <string>
 #include <vector>
 
+#include "drivers/scene/body.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/input_error.hpp"
 #include "harness/motion/frame.hpp"
 #include "harness/motion/motion.hpp"
+#include "mpm/setup/effect_options.hpp"
 #include "mpm/setup/method.hpp"
 
 namespace assay::drivers {
 
 struct MaterialChoice {
-  std::string adapter;  ///< registered name, shared library (`lib.so` or `lib.so:name`), description
+  std::string adapter;
   std::map<std::string, double> parameters;  ///< as given; defaults are filled by the material
-  double density = 0;                        ///< rho0 [kg/m^3]
-  /// Of a model that has one: components along e_R, e_Theta, e_Z of the vortex, along the axes of any other motion.
+  double density = 0;                        ///< 0: not given
   std::optional<std::array<double, 3>> direction;
   Isolation isolation = Isolation::automatic;
+
+  void keys(auto& key) {
+    static constexpr const char* places[] = {"worker", "none"};
+    key({.name = "adapter",
+         .doc = "registered name, shared library (lib.so or lib.so:name), Fortran source or description (.yaml)",
+         .required = true},
+        adapter);
+    key({.name = "density",
+         .doc = "density rho0 in the reference configuration [kg/m^3]",
+         .range = positive,
+         .derived = "of the material's description; required where it has none",
+         .shown = density > 0},
+        density);
+    key({.name = "direction",
+         .doc = "axis of the model, any length; components on e_R, e_Theta, e_Z in the vortex, else on the coordinate "
+                "axes",
+         .derived = "[1, 0, 0] of a model that has one"},
+        direction);
+    key({.name = "isolation",
+         .doc = "where the model's code runs: in worker processes (worker) or in the process of assay (none)",
+         .choices = places,
+         .derived = "worker for UMAT, VUMAT and MFront, none for native models",
+         .shown = isolation != Isolation::automatic},
+        isolation);
+  }
+
   Location where;                                       ///< of `material.adapter`
   std::map<std::string, Location> parameter_where;      ///< of the values
   std::map<std::string, Location> parameter_key_where;  ///< of their names
@@ -31,96 +58,145 @@ struct MaterialChoice {
   std::string parameters_option = {};  ///< of the command line, which gives them without a place
 };
 
-/// Of a body that is left to itself: v = velocity + L X, L of a spin and a stretching.
-struct InitialVelocity {
-  std::array<double, 2> velocity{};    ///< of the origin [m/s]
-  double spin = 0;                     ///< about E_z through the origin [rad/s]
-  std::array<double, 3> stretching{};  ///< D11, D22, D12 [1/s]
-};
-
-struct Body {
-  enum class Domain { ring, square, box };
-  enum class Outside { held, free };
-  Domain domain = Domain::ring;
-  Outside outside = Outside::held;  ///< of the ring, on square and box: prescribed to stand still, or left to itself
-  std::array<double, 2> lower{-1.5, -1.5}, upper{1.5, 1.5};  ///< corners of square and box [m]
-  std::array<int, 2> per_cell{2, 2};                         ///< particles a cell in each direction
-  enum class Lattice { cartesian, polar, gauss, jittered };
-  enum class Cut { clipped, whole };
-  Lattice lattice = Lattice::cartesian;
-  Cut cut = Cut::clipped;  ///< of lattice cells at the ring's edges, on a ring with a Cartesian or jittered lattice
-  double jitter = 0.25;    ///< of a jittered lattice: longest way along an axis [distance between particles]
-  int seed = 1;            ///< of its pseudo-random numbers
-  enum class Periodic { none, x, y, both };
-  Periodic periodic = Periodic::none;  ///< directions in which square and box repeat
-  bool is_periodic(std::size_t d) const {
-    return periodic == Periodic::both || periodic == (d == 0 ? Periodic::x : Periodic::y);
-  }
-  std::optional<InitialVelocity> initial_velocity;  ///< absent: that of the motion
-};
-
-constexpr std::array<const char*, 3> names_of(Body::Domain) { return {"ring", "square", "box"}; }
-constexpr std::array<const char*, 2> names_of(Body::Outside) { return {"held", "free"}; }
-constexpr std::array<const char*, 4> names_of(Body::Lattice) { return {"cartesian", "polar", "gauss", "jittered"}; }
-constexpr std::array<const char*, 2> names_of(Body::Cut) { return {"clipped", "whole"}; }
-constexpr std::array<const char*, 4> names_of(Body::Periodic) { return {"none", "x", "y", "both"}; }
-
 struct GridChoice {
-  double spacing = 0;                                 ///< h [m]; nodes lie at multiples of h
-  std::array<double, 2> offset{};                     ///< and this far beyond them [h]
-  std::optional<std::array<double, 2>> lower, upper;  ///< corners; by default around the body with a margin
+  double spacing = 0;  ///< h
+  std::array<double, 2> offset{};
+  std::optional<std::array<double, 2>> lower, upper;
+
+  void keys(auto& key) {
+    key({.name = "spacing",
+         .doc = "node spacing h [m]; nodes are at multiples of h",
+         .range = positive,
+         .required = true},
+        spacing);
+    key({.name = "offset",
+         .doc = "shift of the nodes from multiples of h; the body is not shifted [h]",
+         .range = {.lower = 0, .upper = 1},
+         .derived = "[0, 0]"},
+        offset);
+    key({.name = "lower", .doc = "lower corner of the grid [m]", .derived = "around the body with a margin"}, lower);
+    key({.name = "upper", .doc = "upper corner of the grid [m]", .derived = "around the body with a margin"}, upper);
+  }
 };
 
 struct Method : mpm::Method {
   using Basis = mpm::Basis;
   using Transfer = mpm::Transfer;
   using Update = mpm::Update;
-  double courant = 0.4;  ///< of the fastest wave on the baseline path plus the fastest particle
+  double courant = 0.4;
+
+  void keys(auto& key) {
+    mpm::Method::keys(key);
+    key({"courant",
+         "Courant number of the fastest wave on the baseline path plus the fastest particle",
+         {.lower = 0, .upper = 1, .lower_open = true}},
+        courant);
+  }
 };
 
 struct ForceChoice {
   enum class Response { none, closed_form, sheet, shadow };
-  Response response = Response::sheet;  ///< none: no body force at all
+  friend constexpr std::array<const char*, 4> names_of(Response) { return {"none", "closed_form", "sheet", "shadow"}; }
   using Evaluation = mpm::Evaluation;
+  Response response = Response::sheet;
   Evaluation evaluation = Evaluation::domain_average;
   mpm::Inertia inertia = mpm::Inertia::grid;
-  int radii = 400;          ///< of response shadow
-  bool cache = true;        ///< a sheet is kept on disk and taken from there
-  double tolerance = 1e-8;  ///< requested relative error of the sheet
-};
+  int radii = 400;
+  bool cache = true;
+  double tolerance = 1e-8;
 
-constexpr std::array<const char*, 4> names_of(ForceChoice::Response) {
-  return {"none", "closed_form", "sheet", "shadow"};
-}
+  void keys(auto& key) {
+    key({"response", "source of the stress tau on the baseline path; none: no body force"}, response);
+    key({"evaluation", "body force at the particle's reference position, or averaged over its reference domain"},
+        evaluation);
+    key({"inertia",
+         "grid: all of b acts through the grid; particles: they receive its part a (uses the exact solution)"},
+        inertia);
+    key({"radii",
+         "number of histories that response: shadow steps during the run",
+         {.lower = 4, .upper = 1e6, .whole = true}},
+        radii);
+    key({"cache", "keep the sheet on disk and reuse it in later runs"}, cache);
+    key({.name = "tolerance",
+         .doc = "requested relative error of the sheet",
+         .range = {.lower = 1e-14, .upper = 1e-2},
+         .derived = "1e-8; 1e-5 for a UMAT, VUMAT or MFront model"},
+        tolerance);
+  }
+};
 
 struct TractionChoice {
   mpm::TractionAlgorithm algorithm = mpm::TractionAlgorithm::edges;
-  std::optional<mpm::TractionForm> form;  ///< absent: the stable one of the motion
+  std::optional<mpm::TractionForm> form;
+
+  void keys(auto& key) {
+    key({.name = "algorithm",
+         .doc = "forces on domain edges, from the exact stress, at surface particles, or on edges of undeformed length",
+         .motions = loaded_motions},
+        algorithm);
+    key({.name = "form",
+         .doc = "sigma n ds on the current surface (follower), or P N dA0 (reference)",
+         .derived = "the stable one: reference where the body is stretched, follower where it is compressed",
+         .motions = loaded_motions},
+        form);
+  }
 };
 
 struct TimeChoice {
-  double end = 1;  ///< [s]
   enum class Control { planned, current };
-  Control control = Control::planned;  ///< equal steps by the exact motion; or as the particles are now
-  std::optional<double> step;          ///< fixes dt [s] instead of courant
+  friend constexpr std::array<const char*, 2> names_of(Control) { return {"planned", "current"}; }
+  double end = 1;
+  std::optional<double> step;
+  Control control = Control::planned;
+
+  void keys(auto& key) {
+    key({.name = "end", .doc = "end of the run [s]", .range = positive, .derived = "motion.period"}, end);
+    key({.name = "step",
+         .doc = "fixed time step dt, in place of method.courant [s]",
+         .range = positive,
+         .derived = "of method.courant"},
+        step);
+    key({"control",
+         "planned: equal steps from the exact motion; current: steps from the present fastest wave and particle"},
+        control);
+  }
 };
 
-constexpr std::array<const char*, 2> names_of(TimeChoice::Control) { return {"planned", "current"}; }
-
 struct OutputChoice {
-  int errors = 100;                           ///< samples of the error over the run
-  int particles = 10;                         ///< snapshots (VTU) over the run; 0: none
-  std::optional<double> each_step_from = {};  ///< snapshots of every step from this time on, besides [s]
-  bool pictures = true;                       ///< PNG pictures
-  bool report = true;                         ///< report.html
+  int errors = 100, particles = 10;
+  std::optional<double> each_step_from = {};
+  bool pictures = true, report = true, accounts = true, tractions = false;
+
+  void keys(auto& key) {
+    key({"errors", "number of samples of the error over the run", {.lower = 1, .upper = 1e6, .whole = true}}, errors);
+    key({"particles",
+         "number of snapshots of the particles (VTU) over the run; 0: none",
+         {.lower = 0, .upper = 1e5, .whole = true}},
+        particles);
+    key({.name = "each_step_from",
+         .doc = "also write a snapshot of every step from this time on [s]",
+         .range = {.lower = 0},
+         .derived = "none"},
+        each_step_from);
+    key({"pictures", "write PNG pictures"}, pictures);
+    key({"report", "write report.html"}, report);
+    key({"accounts", "compute the accounts of mass, momentum and energy"}, accounts);
+    key({.name = "tractions",
+         .doc = "repeat the run with each traction algorithm on grids of 4h, 2h and h, for report.html and result.json",
+         .motions = loaded_motions},
+        tractions);
+  }
   bool writes_particles() const { return particles > 0 || each_step_from; }
-  bool accounts = true;    ///< momentum, mass and energy accounts
-  bool tractions = false;  ///< the algorithms of tractions side by side
 };
 
 struct Limits {
-  double memory_gib = 16;        ///< a run that would need more is refused
-  double particle_steps = 1e12;  ///< likewise
+  double memory_gib = 16;
+  double particle_steps = 1e12;
+
+  void keys(auto& key) {
+    key({"memory_gib", "refuse a run that would need more memory [GiB]", positive}, memory_gib);
+    key({"particle_steps", "refuse a run of more particles times steps", positive}, particle_steps);
+  }
 };
 
 /// One line of `expect:`. Operators: below, above, between, equals.
@@ -149,10 +225,17 @@ struct Scene {
   ForceChoice force;
   TractionChoice traction;
   TimeChoice time;
-  mpm::Remedies remedies;
+  mpm::EffectOptions effects;
   OutputChoice output;
   Limits limits;
   std::vector<Expectation> expect;
+
+  void keys(auto& key) {
+    key({"title", "one-line title for pictures and reports"}, title);
+    key({"motion.allow_unstable",
+         "run a motion that is not a stable solution for the model; otherwise the run is refused"},
+        allow_unstable);
+  }
 
   std::map<std::string, Location> places;  ///< where the keys that were given stand, by dotted path
   /// Where a key stands; not given: its section, else the file.
@@ -170,16 +253,5 @@ Path baseline_path(const Scene& scene);
 
 /// All paths that points of the body take: of the axis-aligned motion one for each of some Y, of others the baseline.
 std::vector<Path> baseline_paths(const Scene& scene);
-
-/// L = D + W: L11, L12, L21, L22 [1/s].
-inline std::array<double, 4> gradient_of(const InitialVelocity& v) {
-  return {v.stretching[0], v.stretching[2] - v.spin, v.stretching[2] + v.spin, v.stretching[1]};
-}
-
-/// v = velocity + L X [m/s].
-inline std::array<double, 2> velocity_at(const InitialVelocity& v, double X, double Y) {
-  const std::array<double, 4> L = gradient_of(v);
-  return {v.velocity[0] + L[0] * X + L[1] * Y, v.velocity[1] + L[2] * X + L[3] * Y};
-}
 
 }  // namespace assay::drivers

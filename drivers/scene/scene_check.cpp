@@ -9,6 +9,7 @@
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
+#include "mpm/compose.hpp"
 #include "mpm/patch/methods.hpp"
 
 namespace assay::drivers {
@@ -144,7 +145,7 @@ class SceneCheck {
     refuse_if(given("method.affine") && !method.is_affine(), "method.affine",
               "belongs to transfer: apic and aflip, but transfer is " + mpm::names_of(method).transfer);
     if (const auto found = mpm::contradiction(method)) refuse_if(true, found->key, found->reason);
-    if (const auto found = mpm::contradiction(method, scene_.remedies)) refuse_if(true, found->key, found->reason);
+    if (const auto found = mpm::contradiction<2>(method, scene_.effects)) refuse_if(true, found->key, found->reason);
   }
 
   void check_grid(const GridChoice& grid) const {

@@ -4,37 +4,30 @@
 
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "drivers/format/yaml_values.hpp"
 #include "drivers/scene/scene.hpp"
+#include "harness/numeric/keys.hpp"
 
 namespace assay::drivers {
 
-/// monostate: absent.
-using Value = std::variant<std::monostate, bool, double, std::string, std::vector<double>>;
+using assay::KeyType;
+using Value = KeyValue;
 
-/// automatic: a number, or the word "auto", which is what stands where nothing is given.
-enum class KeyType { number, automatic, boolean, text, choice, pair, vector, matrix };
-
-/// What is to say of a key beside its value.
-struct KeyRules {
-  Range range = {};                       ///< of a number, or of each in a pair or matrix
-  std::vector<std::string> choices = {};  ///< of words; of an enumeration's names empty: all
-  bool required = false;
-  std::string derived = {};               ///< how the default follows from other keys; empty: it is a constant
-  std::vector<std::string> motions = {};  ///< motion.type for which the key exists; empty: all
-  std::vector<std::string> domains = {};  ///< likewise body.domain
-  bool (*shown)(const Scene&) = nullptr;  ///< whether resolved.yaml has it; null: where it has a value
-};
-
-struct Key : KeyRules {
+/// A row of the table: what a struct of the scene says of a key of its own.
+struct Key {
   std::string path;  ///< "motion.amplitude.peak"
   KeyType type = KeyType::number;
-  std::string doc;  ///< one line, with the unit
-  std::function<Value(const Scene&)> get;
+  std::string doc;                        ///< one line, with the unit
+  Range range = {};                       ///< of a number, or of each in a list
+  std::vector<std::string> choices = {};  ///< of words
+  bool required = false;
+  std::string derived = {};                   ///< how the default follows from other keys; empty: it is a constant
+  std::vector<std::string> motions, domains;  ///< words of motion.type and body.domain for which it exists; empty: all
+  std::function<Value(const Scene&)> get;     ///< absent: nothing to be written
   std::function<void(Scene&, const Value&)> set;
 };
 
@@ -42,9 +35,9 @@ struct Section {
   std::string path;
   std::string doc;
   bool required = false;
-  bool optional_part = false;       ///< absent from the scene unless written (grid, method)
-  void (*begin)(Scene&) = nullptr;  ///< makes room in the scene for the section
-  bool free_keys = false;           ///< keys are names of the user's or of the result's: no table
+  bool free_keys = false;  ///< keys are names of the user's or of the result's: no table
+  std::vector<Key> keys = {};
+  std::function<void(Scene&)> begin = {};  ///< where it is absent unless written (grid, method): makes room for it
 };
 
 /// In the order in which they are read and written; a section before its keys.
@@ -64,11 +57,65 @@ bool applies(const Section& section, const Scene& scene);
 std::string motion_type(const Scene& scene);
 std::string domain_name(Body::Domain domain);
 
-/// The part that says what moves and how: title, motion.* and frame.*.
-std::vector<Key> motion_keys();
+/// A visitor that shows each key to a function, which answers with a value to give to it.
+class EachKey final : public Keys {
+ public:
+  using Answer = std::optional<Value>;
+  using Show = std::function<Answer(const KeyInfo&, KeyType, const Value&)>;
+  explicit EachKey(Show show) : show_(std::move(show)) {}
 
-/// The words of motion.type of all motions for which something holds.
-std::vector<std::string> types_of(const std::function<bool(const Motion&)>& holds);
+ protected:
+  Answer meet(const KeyInfo& key, KeyType type, const Value& value) override { return show_(key, type, value); }
+
+ private:
+  Show show_;
+};
+
+using Get = std::function<Value(const Scene&)>;
+using Set = std::function<void(Scene&, const Value&)>;
+
+/// The row of a key in a section ("" is the top).
+Key key_row(const std::string& section, const KeyInfo& info, KeyType type, Get get, Set set);
+
+// A part of a scene shows its keys.
+void show(auto& part, Keys& visitor) { part.keys(visitor); }
+inline void show(Motion& motion, Keys& visitor) { motion->keys(visitor); }
+void show(mpm::EffectOptions& options, Keys& visitor);
+template <class Part>
+void show(std::optional<Part>& part, Keys& visitor) {
+  if (part) part->keys(visitor);
+}
+
+/// The rows of all keys that `sample` shows; part(scene) is the part of a scene that it is a sample of.
+std::vector<Key> keys_of(const std::string& section, auto sample, auto part) {
+  std::vector<Key> keys;
+  EachKey each([&](const KeyInfo& info, KeyType type, const Value&) -> EachKey::Answer {
+    const std::string name = info.name;
+    const auto get = [name, part](const Scene& scene) {
+      Value found;
+      EachKey look([&](const KeyInfo& key, KeyType, const Value& value) -> EachKey::Answer {
+        if (key.shown && key.name == name) found = value;
+        return std::nullopt;
+      });
+      auto copy = part(scene);
+      show(copy, look);
+      return found;
+    };
+    const auto set = [name, part](Scene& scene, const Value& value) {
+      EachKey give([&](const KeyInfo& key, KeyType, const Value&) {
+        return key.name == name ? EachKey::Answer(value) : std::nullopt;
+      });
+      show(part(scene), give);
+    };
+    keys.push_back(key_row(section, info, type, get, set));
+    return std::nullopt;
+  });
+  show(sample, each);
+  return keys;
+}
+
+/// The keys of `motion`.
+std::vector<Key> motion_keys();
 
 // `assay schema`: scenes as JSON Schema (draft 2020-12), and what the schema of studies shares with it.
 

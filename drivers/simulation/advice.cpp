@@ -87,10 +87,10 @@ std::string advice_after_death(const Problem& problem, const std::string& reason
            ", in which a wave crosses the body some thirty times: errors of very many waves add up";
   }
   const auto& method = *problem.scene.method;
-  const mpm::Remedies& remedies = problem.setup.remedies;
+  const mpm::EffectOptions& options = problem.setup.options;
   const std::string courant = "courant: " + rounded_text(safe_courant, 2);
   const double stiffness = bulk_over_shear(problem);
-  const bool locks = stiffness > incompressible, averages = remedies.averages_volume();
+  const bool locks = stiffness > incompressible, averages = options.of<mpm::AntiLocking>() != mpm::AntiLocking::none;
   const bool helps = locks && cells_across(problem) > fine_grid - 0.5;
   std::vector<std::string> keys;
   if (!is_recommended(method)) {
@@ -105,7 +105,7 @@ std::string advice_after_death(const Problem& problem, const std::string& reason
   if (problem.scene.time.step && (!keys.empty() || taken > safe_courant)) keys.emplace_back("no time.step");
   if (helps && !averages) keys.emplace_back("remedies.anti_locking: cell");
   if (!helps && averages) keys.emplace_back("remedies.anti_locking: none");
-  if (remedies.largest_domain > 0) keys.emplace_back("no remedies.largest_domain");
+  if (options.of<mpm::LargestDomain>().cells > 0) keys.emplace_back("no remedies.largest_domain");
   std::string few = few_waves_advice(problem);
   if (keys.empty()) return few;
   std::string changes;

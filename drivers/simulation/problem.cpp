@@ -59,17 +59,6 @@ mpm::GridGeometry<2> grid_of(const Scene& scene) {
   return found;
 }
 
-std::string remedies_text(const mpm::Remedies& remedies) {
-  std::string text;
-  if (remedies.averages_volume()) {
-    text += std::string(", J averaged over ") + (remedies.anti_locking == mpm::AntiLocking::cell ? "cells" : "nodes");
-  }
-  if (remedies.largest_domain > 0) text += ", domains to " + rounded_text(remedies.largest_domain, 3) + " h";
-  if (remedies.small_mass > 0) text += ", small masses";
-  if (remedies.has_viscosity()) text += ", artificial viscosity";
-  return text;
-}
-
 /// c = sqrt(E/rho0) of a motion in the unit box that does not say it, and the end of the run that follows from it.
 void resolve_wave_speed(Scene& scene) {
   auto* box = scene.motion.as<AxisAligned>();
@@ -163,7 +152,9 @@ std::string Problem::subject() const {
   if (method.mass != mpm::Mass::lumped) way += ", " + names.mass;
   if (method.has_terms()) way += " " + std::to_string(method.terms);
   if (method.integrator != mpm::Integrator::symplectic_euler) way += ", " + word_of(method.integrator);
-  way += remedies_text(setup.remedies);
+  for (const auto& effect : mpm::effects<2>()) {
+    if (effect.in_title && effect.called_for(setup)) way += ", " + effect.in_title(setup.options);
+  }
   return material->name() + "; " + way + "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " +
          std::to_string(scene.body.per_cell[0]) + "x" + std::to_string(scene.body.per_cell[1]) + " a cell" +
          (scene.body.lattice == Body::Lattice::cartesian ? "" : ", " + word_of(scene.body.lattice)) + motion_text() +
@@ -223,10 +214,10 @@ Problem assemble(const Scene& given, int threads) {
   choose_forces(problem);
   setup.motion = scene.motion;
   setup.frame = scene.frame;
-  if (const auto& v = scene.body.initial_velocity) setup.initial_velocity = {v->velocity, gradient_of(*v)};
+  if (const auto& v = scene.body.initial_velocity) setup.initial_velocity = {v->velocity, v->gradient()};
   setup.hold_outside = scene.body.domain != Body::Domain::ring && scene.body.outside == Body::Outside::held;
   setup.accounts = scene.output.accounts;
-  setup.remedies = scene.remedies;
+  setup.options = scene.effects;
   setup.threads = threads;
   if (setup.seeds.size() == 0) refuse(scene, "grid.spacing", no_particle_sentence(problem));
   for (const Path& path : baseline_paths(scene)) setup.material_direction = path.material_direction;

@@ -21,42 +21,38 @@ using mpm::Column;
 /// Where component c of a column begins.
 using ColumnView = std::function<const double*(Column, int)>;
 
-/// Columns as VTK wants them: components of a particle side by side, always in three dimensions.
-std::vector<double> interleaved_vector(const ColumnView& of, std::size_t particles, Column which) {
-  std::vector<double> values(3 * particles, 0.0);
-  for (int d = 0; d < 2; ++d) {
-    const double* from = of(which, d);
-    for (std::size_t p = 0; p < particles; ++p) values[3 * p + static_cast<std::size_t>(d)] = from[p];
+/// A column as VTK wants it: components of a particle side by side, vectors and tensors in three dimensions. Of a
+/// tensor in the plane 33 follows, or is 1.
+std::vector<double> interleaved(const ColumnView& of, std::size_t particles, const ShownColumn& shown) {
+  constexpr std::size_t in_vector[] = {0, 1}, in_tensor[] = {0, 1, 3, 4, 8};
+  const bool is_tensor = shown.components >= mpm::tensor_components<2>;
+  const auto width = static_cast<std::size_t>(shown.width());
+  std::vector<double> values(width * particles, 0.0);
+  for (int c = 0; c < shown.components; ++c) {
+    const double* from = of(shown.column, c);
+    const std::size_t at = (is_tensor ? in_tensor : in_vector)[c];
+    for (std::size_t p = 0; p < particles; ++p) values[width * p + at] = from[p];
   }
+  const bool has_33 = !is_tensor || shown.components > mpm::tensor_components<2>;
+  for (std::size_t p = 0; !has_33 && p < particles; ++p) values[width * p + 8] = 1;  // plane strain
   return values;
 }
 
-std::vector<double> interleaved_tensor(const ColumnView& of, std::size_t particles, Column which, bool has_33) {
-  constexpr std::size_t rows[] = {0, 1, 3, 4, 8};
-  std::vector<double> values(9 * particles, 0.0);
-  for (std::size_t c = 0; c < (has_33 ? 5u : 4u); ++c) {
-    const double* from = of(which, static_cast<int>(c));
-    for (std::size_t p = 0; p < particles; ++p) values[9 * p + rows[c]] = from[p];
-  }
-  for (std::size_t p = 0; !has_33 && p < particles; ++p) values[9 * p + 8] = 1;  // plane strain
-  return values;
-}
-
-std::string particles_vtu(const ColumnView& of, std::size_t particles, const std::vector<VtuArray>& more, double t) {
+std::string particles_vtu(const std::vector<ShownColumn>& shown, const ColumnView& of, std::size_t particles,
+                          const std::vector<VtuArray>& more, double t) {
   std::vector<std::int64_t> id(particles);
   for (std::size_t p = 0; p < particles; ++p) id[p] = static_cast<std::int64_t>(p);
-  const auto position = interleaved_vector(of, particles, Column::position);
-  const auto reference = interleaved_vector(of, particles, Column::reference_position);
-  const auto velocity = interleaved_vector(of, particles, Column::velocity);
-  const auto F = interleaved_tensor(of, particles, Column::deformation_gradient, false);
-  const auto stress = interleaved_tensor(of, particles, Column::stress, true);
+  std::vector<std::vector<double>> values;
+  for (const ShownColumn& one : shown) values.push_back(interleaved(of, particles, one));
+  const std::vector<double>& position = values[1];
   std::vector<double> displacement(position);
-  for (std::size_t k = 0; k < displacement.size(); ++k) displacement[k] -= reference[k];
+  for (std::size_t k = 0; k < displacement.size(); ++k) displacement[k] -= values[0][k];
   std::vector<VtuArray> arrays{{"id", 1, std::span<const std::int64_t>(id)},
-                               {"displacement", 3, std::span<const double>(displacement)},
-                               {"velocity", 3, std::span<const double>(velocity)},
-                               {"deformation_gradient", 9, std::span<const double>(F)},
-                               {"stress", 9, std::span<const double>(stress)}};
+                               {"displacement", 3, std::span<const double>(displacement)}};
+  for (std::size_t k = 2; k < shown.size(); ++k) {
+    const std::string name(mpm::info(shown[k].column).name);
+    arrays.push_back({name, shown[k].width(), std::span<const double>(values[k])});
+  }
   arrays.insert(arrays.end(), more.begin(), more.end());
   return vtu_text(position, arrays, t);
 }
@@ -68,17 +64,6 @@ std::vector<VtuArray> compared_arrays(const Problem& problem, const std::vector<
   return {{"displacement_error", 1, std::span<const double>(error)},
           {vortex ? "shear" : "jacobian", 1, std::span<const double>(measure)}};
 }
-
-/// What a snapshot shows.
-struct Shown {
-  Column column;
-  int components;
-};
-constexpr Shown shown[] = {{Column::reference_position, 2},
-                           {Column::position, 2},
-                           {Column::velocity, 2},
-                           {Column::deformation_gradient, mpm::tensor_components<2>},
-                           {Column::stress, mpm::stress_components<2>}};
 
 /// What pictures show: the ring with a margin; of a body whose outside moves all of it, on all of its way [m].
 Box picture_box(const Problem& problem) {
@@ -102,11 +87,19 @@ Box picture_box(const Problem& problem) {
 
 }  // namespace
 
+Snapshots::Snapshots(const Problem& problem, OutputFolder& folder) : problem_(&problem), folder_(&folder) {
+  const mpm::Setup<2>& setup = problem.setup;
+  shown_ = {{Column::reference_position, 2}, {Column::position, 2}};
+  for (const auto& use : mpm::columns_of(mpm::compose(setup), setup)) {
+    if (mpm::info(use.column).shown) shown_.push_back({use.column, static_cast<int>(use.bytes / sizeof(double))});
+  }
+}
+
 void Snapshots::keep_good(const mpm::State<2>& s, double t) {
   good_t_ = t;
   good_particles_ = s.particles;
   good_.clear();  // keeps its memory
-  for (const Shown& part : shown) {
+  for (const ShownColumn& part : shown_) {
     const double* from = s.column(part.column);
     good_.insert(good_.end(), from, from + static_cast<std::size_t>(part.components) * s.particles);
   }
@@ -116,7 +109,8 @@ std::string Snapshots::leave_last_good(const ExactSolutionPtr& exact) const {
   const std::size_t n = good_particles_;
   const auto of = [&](Column which, int component) {
     auto before = static_cast<std::size_t>(component);
-    for (const Shown* part = shown; part->column != which; ++part) before += static_cast<std::size_t>(part->components);
+    for (auto part = shown_.begin(); part->column != which; ++part)
+      before += static_cast<std::size_t>(part->components);
     return good_.data() + before * n;
   };
   std::vector<double> error(n), measure(n);
@@ -135,7 +129,7 @@ std::string Snapshots::leave_last_good(const ExactSolutionPtr& exact) const {
     compared = compared_arrays(*problem_, error, measure);
   }
   std::string name = "last_good.vtu";
-  folder_->write(name, particles_vtu(of, n, compared, good_t_));
+  folder_->write(name, particles_vtu(shown_, of, n, compared, good_t_));
   return name;
 }
 
@@ -144,7 +138,7 @@ void Snapshots::write_vtu(const mpm::State<2>& s, const ErrorSampler* sampler, d
   if (sampler) more = compared_arrays(*problem_, sampler->displacement_error(), sampler->measure());
   const auto of = [&s](Column which, int component) { return s.column(which, component); };
   const std::string name = particles_name(static_cast<int>(entries_.size()));
-  folder_->write(name, particles_vtu(of, s.particles, more, t));
+  folder_->write(name, particles_vtu(shown_, of, s.particles, more, t));
   entries_.push_back({t, name});
 }
 

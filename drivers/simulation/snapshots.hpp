@@ -12,10 +12,17 @@
 
 namespace assay::drivers {
 
+/// A column that snapshots show: a number, a vector or a tensor of each particle, the last with 33 where it is no 1.
+struct ShownColumn {
+  mpm::Column column;
+  int components;
+  int width() const { return components == 1 ? 1 : components == 2 ? 3 : 9; }  ///< in three dimensions
+};
+
 class Snapshots {
  public:
   /// Nothing is written for a part that the scene does not ask for.
-  Snapshots(const Problem& problem, OutputFolder& folder) : problem_(&problem), folder_(&folder) {}
+  Snapshots(const Problem& problem, OutputFolder& folder);
 
   /// One more snapshot at time t. `sampler`: null where there is no exact solution to compare with, else just sampled.
   void add(const mpm::State<2>& state, const ErrorSampler* sampler, double t);
@@ -40,6 +47,7 @@ class Snapshots {
 
   const Problem* problem_;
   OutputFolder* folder_;
+  std::vector<ShownColumn> shown_;  ///< first the positions, in the reference configuration and now
   std::vector<PvdEntry> entries_;
   double good_t_ = 0;
   std::size_t good_particles_ = 0;

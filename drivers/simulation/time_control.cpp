@@ -135,7 +135,7 @@ void TimeControl::look(const mpm::State<2>& s, double t) {
   if (!(wave_ > 0)) wave_ = probed_speed(s, t);
   if (!(wave_ > 0 && std::isfinite(wave_))) wave_ = problem_->wave_speed;
   double shortening = 1;
-  if (problem_->setup.remedies.has_viscosity()) {
+  if (mpm::option<mpm::ArtificialViscosity>(problem_->setup).acts()) {
     shortening = viscous_shortening(*problem_, wave_, fastest_shrinking_of(s));
   }
   const double signal = std::max(shortening * wave_ + fastest_particle_of(s), shortening * reference_);

@@ -58,7 +58,7 @@ double fastest_of(const InitialVelocity& v, const Box& box) {
   double fastest = 0;
   for (const double x : {box.lower[0], box.upper[0]}) {
     for (const double y : {box.lower[1], box.upper[1]}) {
-      const auto corner = velocity_at(v, x, y);
+      const auto corner = v.at(x, y);
       fastest = std::max(fastest, std::hypot(corner[0], corner[1]));
     }
   }
@@ -130,10 +130,9 @@ double fastest_shrinking(const Scene& scene) {
 }
 
 double viscous_shortening(const Problem& problem, double wave, double shrinking) {
-  const mpm::Remedies& remedies = problem.setup.remedies;
-  if (!remedies.has_viscosity() || !(wave > 0)) return 1;
-  const double Q = remedies.viscosity[0] * remedies.viscosity_speed +
-                   remedies.viscosity[1] * problem.scene.grid->spacing * shrinking;
+  const auto& viscosity = mpm::option<mpm::ArtificialViscosity>(problem.setup);
+  if (!viscosity.acts() || !(wave > 0)) return 1;
+  const double Q = viscosity.C[0] * problem.setup.wave_speed + viscosity.C[1] * problem.scene.grid->spacing * shrinking;
   return (Q + std::hypot(Q, wave)) / wave;
 }
 
@@ -154,8 +153,8 @@ void find_speeds(Problem& problem) {
     if (!setup.method.is_total()) continue;
     problem.reference_wave_speed = std::max(problem.reference_wave_speed, fastest(WaveFrame::reference));
   }
-  if (setup.remedies.has_viscosity()) {
-    setup.remedies.viscosity_speed = problem.wave_speed;
+  setup.wave_speed = problem.wave_speed;
+  if (mpm::option<mpm::ArtificialViscosity>(setup).acts()) {
     problem.viscous_shortening = viscous_shortening(problem, problem.wave_speed, fastest_shrinking(scene));
   }
   const double own = fastest_of_motion(scene);

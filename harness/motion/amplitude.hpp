@@ -16,7 +16,7 @@ struct AmplitudeValue {
 /// `sine` A sin(pi t/T); `one_minus_cosine` A (1 - cos(2 pi t/T))/2; `ramp` A t/T, held after T.
 struct Amplitude {
   enum class Type { sine, one_minus_cosine, ramp };
-  static constexpr std::array type_words{"sine", "one_minus_cosine", "ramp"};
+  friend constexpr std::array<const char*, 3> names_of(Type) { return {"sine", "one_minus_cosine", "ramp"}; }
   Type type = Type::sine;
   double peak = 1;    ///< A [1]
   double period = 1;  ///< T [s]

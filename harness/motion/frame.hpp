@@ -2,6 +2,8 @@
 // The frame from which a plane motion is seen: turned, spinning, in uniform flight.
 #pragma once
 
+#include <array>
+
 #include "harness/motion/exact_state.hpp"
 
 namespace assay {
@@ -13,6 +15,13 @@ struct Frame {
   double angle = 0;                    ///< [rad]
   double spin = 0;                     ///< w, of the observed motion against the body's [rad/s]
   Vector3 velocity = Vector3::Zero();  ///< c [m/s]
+
+  void keys(auto& key) {
+    key({"angle", "angle by which body and motion are rotated against the grid, about E_z [rad]"}, angle);
+    key({"spin", "angular velocity w: the whole motion rotates by a further angle w t [rad/s]"}, spin);
+    std::array<double, 2> in_plane{velocity.x(), velocity.y()};
+    if (key({"velocity", "velocity of the whole motion [m/s]"}, in_plane)) velocity << in_plane[0], in_plane[1], 0;
+  }
 
   bool moves() const { return spin != 0 || velocity != Vector3::Zero(); }
 

@@ -8,14 +8,14 @@ std::optional<MotionFault> fault_of_axis(const Vector3& axis) {
   return MotionFault{"motion.axis", "must not be zero"};
 }
 
-void amplitude_keys(MotionKeys& keys, Amplitude& amplitude) {
-  keys.choice({"amplitude.type",
-               "sine: A sin(pi t/T); one_minus_cosine: A (1 - cos(2 pi t/T))/2; ramp: A t/T to T; unit box: sine only"},
-              Amplitude::type_words, amplitude.type);
-  keys.number({.name = "amplitude.peak",
-               .doc = "A: peak angle of a ring [rad]; in the unit box, peak displacement, less than 1/pi [m]",
-               .derived = "1 of a ring, 0.1 in the unit box"},
-              amplitude.peak);
+void amplitude_keys(Keys& keys, Amplitude& amplitude) {
+  keys({"amplitude.type",
+        "sine: A sin(pi t/T); one_minus_cosine: A (1 - cos(2 pi t/T))/2; ramp: A t/T to T; unit box: sine only"},
+       amplitude.type);
+  keys({.name = "amplitude.peak",
+        .doc = "A: peak angle of a ring [rad]; in the unit box, peak displacement, less than 1/pi [m]",
+        .derived = "1 of a ring, 0.1 in the unit box"},
+       amplitude.peak);
 }
 
 }  // namespace assay

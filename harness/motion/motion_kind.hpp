@@ -56,7 +56,7 @@ class MotionKind {
   virtual void* as(const std::type_info& type) = 0;
 
   virtual std::string_view type() const = 0;  ///< the word of `motion.type`
-  virtual void keys(MotionKeys& keys) = 0;
+  virtual void keys(Keys& keys) = 0;
   virtual std::optional<MotionFault> fault(const MotionUse&) const { return std::nullopt; }
 
   virtual ExactState at(const Vector3& X, double t) const = 0;

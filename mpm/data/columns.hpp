@@ -27,8 +27,9 @@ enum class Column {
   volume_scale,
   weights,
   history,
+  count  ///< of them all
 };
-inline constexpr std::size_t column_count = static_cast<std::size_t>(Column::history) + 1;
+inline constexpr auto column_count = static_cast<std::size_t>(Column::count);
 
 /// Components of a tensor column: Dim * Dim, row-major; a stress in plane strain has 33 besides.
 template <int Dim>

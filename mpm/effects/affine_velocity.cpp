@@ -20,7 +20,6 @@ Pass<Dim> affine_pass(const Method& method) {
                   : total ? "gradient of the grid velocity"
                   : fits  ? "gradient fitted to the grid velocity around the particles, convected"
                           : "gradient of the grid velocity, convected",
-           .called_for_by = "method.transfer",
            .reads = {Column::weights},
            .writes = {Column::affine},
            .grid_fields = {"velocity"}},

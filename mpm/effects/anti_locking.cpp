@@ -116,7 +116,6 @@ Pass<Dim> step_volumes_pass(const Method& method) {
   return {{.name = "step_volumes",
            .slot = {stress_phase(method), Part::first},
            .doc = "volume of each particle before and after the step, or in the reference configuration and after it",
-           .called_for_by = "remedies.anti_locking",
            .reads = {Column::velocity_gradient, Column::deformation_gradient, Column::volume},
            .writes = {Column::step_volumes}},
           [](State<Dim>& s) {
@@ -134,7 +133,6 @@ Pass<Dim> average_volume_pass(const Method& method, AntiLocking over) {
            .slot = {stress_phase(method), Part::first},
            .doc = over == AntiLocking::cell ? "J averaged over the particles of each cell, for the stress"
                                             : "J averaged over the nodes' functions, for the stress",
-           .called_for_by = "remedies.anti_locking",
            .reads = {Column::step_volumes, method.is_total() ? Column::reference_position : Column::position},
            .writes = {Column::volume_scale},
            .grid_fields = {"cell_volume"}},
@@ -149,9 +147,21 @@ Pass<Dim> average_volume_pass(const Method& method, AntiLocking over) {
 template <int Dim>
 EffectRecord<Dim> anti_locking_effect() {
   EffectRecord<Dim> effect{200, "the stress is computed with J averaged over cells or nodes", "remedies.anti_locking"};
-  effect.called_for = [](const Setup<Dim>& s) { return s.remedies.averages_volume(); };
+  effect.called_for = [](const Setup<Dim>& s) { return option<AntiLocking>(s) != AntiLocking::none; };
+  effect.keys = [](EffectOptions& options, Keys& key) {
+    key({"remedies.anti_locking",
+         "F-bar: the stress uses J averaged over cells or nodes, for nearly incompressible materials"},
+        options.tell<AntiLocking>());
+  };
+  effect.refusal = [](const Method& method, const EffectOptions&) -> std::string {
+    if (!method.has_stages()) return {};
+    return "forces of symplectic_rkn4 follow from positions, and an average from the way there: take leapfrog";
+  };
+  effect.in_title = [](const EffectOptions& options) -> std::string {
+    return options.of<AntiLocking>() == AntiLocking::cell ? "J averaged over cells" : "J averaged over nodes";
+  };
   effect.passes = [](const Setup<Dim>& s) {
-    return std::vector{step_volumes_pass<Dim>(s.method), average_volume_pass<Dim>(s.method, s.remedies.anti_locking)};
+    return std::vector{step_volumes_pass<Dim>(s.method), average_volume_pass<Dim>(s.method, option<AntiLocking>(s))};
   };
   effect.columns = {{Column::step_volumes, "step_volumes", "m^3",
                      "before the step (total formulation: reference volume) and after it, to be averaged",

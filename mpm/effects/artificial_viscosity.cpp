@@ -25,8 +25,8 @@ double smallest_stretch(const Mat<Dim>& inverse_of_F) {
 /// of the total formulation or the particle's domain deforms by F that where it is thinnest. [Pa]
 template <int Dim>
 void add_viscosity(State<Dim>& s, const Block& block, bool thins) {
-  const Remedies& remedies = s.setup.remedies;
-  const double linear = remedies.viscosity[0] * remedies.viscosity_speed, quadratic = remedies.viscosity[1];
+  const auto& C = option<ArtificialViscosity>(s.setup).C;
+  const double linear = C[0] * s.setup.wave_speed, quadratic = C[1];
   const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
   const auto rate = components<Dim * Dim>(s, Column::velocity_gradient);
   const auto stress = components<stress_components<Dim>>(s, Column::stress);
@@ -53,7 +53,6 @@ Pass<Dim> viscosity_pass(const Method& method) {
   return {{.name = "artificial_viscosity",
            .slot = {stress_phase(method), Part::last},
            .doc = "a pressure against shrinking, von Neumann and Richtmyer's",
-           .called_for_by = "remedies.artificial_viscosity",
            .reads = {Column::velocity_gradient, Column::deformation_gradient, Column::stress},
            .writes = {Column::stress}},
           [](State<Dim>& s) {
@@ -71,7 +70,21 @@ Pass<Dim> viscosity_pass(const Method& method) {
 template <int Dim>
 EffectRecord<Dim> artificial_viscosity_effect() {
   EffectRecord<Dim> effect{230, "a viscous pressure in compression", "remedies.artificial_viscosity"};
-  effect.called_for = [](const Setup<Dim>& s) { return s.remedies.has_viscosity(); };
+  effect.called_for = [](const Setup<Dim>& s) { return option<ArtificialViscosity>(s).acts(); };
+  effect.keys = [](EffectOptions& options, Keys& key) {
+    auto& own = options.tell<ArtificialViscosity>();
+    key({.name = "remedies.artificial_viscosity",
+         .doc = "C1, C2 of the pressure rho h (C1 c + C2 h dV) dV in compression; dV is the rate of volume loss",
+         .range = {.lower = 0, .upper = 100},
+         .derived = "none",
+         .shown = own.acts()},
+        own.C);
+  };
+  effect.refusal = [](const Method& method, const EffectOptions&) -> std::string {
+    if (!method.has_stages()) return {};
+    return "takes energy, which symplectic_rkn4 keeps: take leapfrog or symplectic_euler";
+  };
+  effect.in_title = [](const EffectOptions&) -> std::string { return "artificial viscosity"; };
   effect.passes = [](const Setup<Dim>& s) { return std::vector{viscosity_pass<Dim>(s.method)}; };
   return effect;
 }

@@ -10,7 +10,6 @@ namespace {
 std::vector<Pass<2>> averaging_passes(const Setup<2>&) {
   Pass<2> pass = unbound_body_force();
   pass.doc = "b of the exact motion, averaged over the particles' reference domains";
-  pass.called_for_by = "force.evaluation";
   pass.bind = [](State<2>& s) { return body_force_kernel(s, Evaluation::domain_average); };
   return {pass};
 }

@@ -65,7 +65,6 @@ std::vector<Pass<2>> body_force_passes(const Setup<2>& setup) {
   const bool is_acceleration = setup.force_is_acceleration();  // no stress is left in it
   pass.doc = is_acceleration ? "b of the exact motion, which is its acceleration"
                              : "b of the exact motion at the particles' reference positions";
-  pass.called_for_by = "force.response";
   pass.reads = {Column::reference_position};
   pass.bind = [is_acceleration](State<2>& s) {
     return is_acceleration ? acceleration_kernel(s) : body_force_kernel(s, Evaluation::point);

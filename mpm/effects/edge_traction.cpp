@@ -118,7 +118,6 @@ Pass<2> traction_pass(const Method& method, const Traction& traction, bool accou
              (traction.algorithm == TractionAlgorithm::undeformed_edges ? "sigma n times the undeformed length"
               : reference                                               ? "P N dA0"
                                                                         : "sigma n ds");
-  pass.called_for_by = "traction.algorithm";
   pass.reads = {Column::position};
   if (!method.is_total() || !reference) pass.reads.push_back(Column::deformation_gradient);
   if (traits_of<2>(method.basis).moves_corners) pass.reads.push_back(Column::corners);

@@ -124,7 +124,6 @@ Pass<Dim> accounts_pass(const Method& method, bool with_body_force) {
       {.name = "accounts",
        .slot = {Phase::accounts},
        .doc = "momentum, mass and energy accounts",
-       .called_for_by = "output.accounts",
        .reads = {Column::mass, Column::volume, Column::deformation_gradient, Column::stress, Column::velocity_gradient},
        .grid_fields = {"mass"},
        .stages = Stages::kicks}};

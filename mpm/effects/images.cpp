@@ -62,7 +62,6 @@ Pass<Dim> fold_images_pass(Phase phase, Folded what, bool accounts) {
       {.name = "fold_images",
        .slot = {phase, Part::fold},
        .doc = "what nodes beyond symmetry planes or periodic ends were given, to those that they are images of",
-       .called_for_by = "body",
        .grid_fields = {"mass", "momentum"}}};
   if (what != Folded::inertia) pass.grid_fields.push_back("force");
   pass.bind = [what, accounts](State<Dim>& s) -> Kernel {
@@ -86,7 +85,6 @@ Pass<Dim> unfold_images_pass(Phase phase, Reaction reaction, bool accounts) {
   return {{.name = "unfold_images",
            .slot = {phase, Part::unfold},
            .doc = "nodes beyond symmetry planes or periodic ends move as their images",
-           .called_for_by = "body",
            .grid_fields = {"velocity", "acceleration"}},
           [reaction, accounts](State<Dim>& s) -> Kernel {
             return [&s, &images = s.template own<Images<Dim>>(), &sums = s.template own<UnfoldedSums>(), reaction,

@@ -61,12 +61,11 @@ Kernel inertia_kernel(State<2>& s, bool accounts) {
 
 }  // namespace
 
-Pass<2> inertia_pass(const Method& method, const char* called_for_by, bool accounts) {
+Pass<2> inertia_pass(const Method& method, bool accounts) {
   Pass<2> pass;
   pass.name = "inertia_to_particles";
   pass.slot = {Phase::inertia};
   pass.doc = "a of the exact motion to the particles; b - a is left for the grid";
-  pass.called_for_by = called_for_by;
   pass.reads = {Column::reference_position, Column::velocity, Column::body_force};
   pass.writes = {Column::velocity, Column::body_force};
   if (method.is_affine()) {
@@ -78,14 +77,13 @@ Pass<2> inertia_pass(const Method& method, const char* called_for_by, bool accou
   pass.bind = [accounts](State<2>& s) { return inertia_kernel(s, accounts); };
   return pass;
 }
+
 template <int Dim>
 EffectRecord<Dim> inertia_to_particles_effect() {
   EffectRecord<Dim> effect{40, "particles get the acceleration of the exact motion", "force.inertia"};
   effect.called_for = [](const Setup<Dim>& s) { return Dim == 2 && s.body_force && s.inertia == Inertia::particles; };
   if constexpr (Dim == 2) {
-    effect.passes = [](const Setup<Dim>& s) {
-      return std::vector{inertia_pass(s.method, "force.inertia", s.accounts)};
-    };
+    effect.passes = [](const Setup<Dim>& s) { return std::vector{inertia_pass(s.method, s.accounts)}; };
   }
   return effect;
 }

@@ -2,6 +2,7 @@
 // Convected domains that grow too long are shortened: Homel, Brannon and Guilkey (2016).
 #include <cmath>
 
+#include "harness/numeric/number_text.hpp"
 #include "mpm/basis/corners.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/kernels/kernel_state.hpp"
@@ -56,17 +57,16 @@ void limit_corners(State<2>& s, const Block& block, double most) {
 }
 
 /// Before `weights`: half edges of the reference domain such that no corner of the deformed one is farther from its
-/// particle than the setup's largest_domain; of domains whose corners move one by one, these corners.
+/// particle than the scene says; of domains whose corners move one by one, these corners.
 std::vector<Pass<2>> limiting_passes(const Setup<2>& setup) {
   const bool moves_corners = traits_of<2>(setup.method.basis).moves_corners;
   return {{{.name = "limit_domains",
             .slot = {Phase::weights, Part::first},
             .doc = "domains that reach too far are shortened",
-            .called_for_by = "remedies.largest_domain",
             .reads = {moves_corners ? Column::corners : Column::deformation_gradient},
             .writes = {moves_corners ? Column::corners : Column::domain}},
            [moves_corners](State<2>& s) {
-             const double most = s.setup.remedies.largest_domain * s.setup.grid.spacing;
+             const double most = option<LargestDomain>(s.setup).cells * s.setup.grid.spacing;
              return Kernel::over_blocks([&s, most, moves_corners](const Instant&, const Block& block) {
                moves_corners ? limit_corners(s, block, most) : limit_half_edges(s, block, most);
                return none_bad;
@@ -79,7 +79,23 @@ std::vector<Pass<2>> limiting_passes(const Setup<2>& setup) {
 template <int Dim>
 EffectRecord<Dim> largest_domain_effect() {
   EffectRecord<Dim> effect{210, "domains that reach too far are shortened", "remedies.largest_domain"};
-  effect.called_for = [](const Setup<Dim>& s) { return Dim == 2 && s.remedies.largest_domain > 0; };
+  effect.called_for = [](const Setup<Dim>& s) { return Dim == 2 && option<LargestDomain>(s).cells > 0; };
+  effect.keys = [](EffectOptions& options, Keys& key) {
+    double& cells = options.tell<LargestDomain>().cells;
+    key({.name = "remedies.largest_domain",
+         .doc = "largest distance of a corner of a cpdi or cpdi2 domain from its particle [cells]",
+         .range = {.lower = 0.1, .upper = 1e6},
+         .derived = "as they deform",
+         .shown = cells > 0},
+        cells);
+  };
+  effect.refusal = [](const Method& method, const EffectOptions&) -> std::string {
+    if (!method.is_total() && (method.basis == Basis::cpdi || method.basis == Basis::cpdi2)) return {};
+    return "is of domains that deform with their particle: of cpdi and cpdi2 in the updated formulation";
+  };
+  effect.in_title = [](const EffectOptions& options) {
+    return "domains to " + rounded_text(options.of<LargestDomain>().cells, 3) + " h";
+  };
   if constexpr (Dim == 2) effect.passes = limiting_passes;
   effect.around = "domains that differ, of cpdi";
   return effect;

@@ -13,7 +13,6 @@ std::vector<Pass<2>> moving_frame_passes(const Setup<2>& setup) {
   pass.slot = {Phase::body_force, Part::last};
   pass.stages = Stages::kicks;
   pass.doc = "b turned into the spinning frame, with its Coriolis and centrifugal terms";
-  pass.called_for_by = "frame.spin";
   pass.reads = {Column::reference_position, Column::body_force};
   pass.writes = {Column::body_force};
   pass.bind = [evaluation = setup.evaluation](State<2>& s) -> Kernel {

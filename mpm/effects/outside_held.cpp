@@ -78,7 +78,6 @@ Pass<Dim> hold_nodes_pass(Phase phase, Reaction reaction) {
   return {{.name = "hold_nodes",
            .slot = {phase, Part::hold},
            .doc = "nodes outside the ring stand still",
-           .called_for_by = "body.outside",
            .grid_fields = {"mass", "velocity", "acceleration"}},
           [reaction](State<Dim>& s) -> Kernel {
             return [&s, &held = s.template own<Held>(), reaction](const Instant& now) {

@@ -34,7 +34,7 @@ template <int Dim>
 EffectRecord<Dim> own_domains_effect() {
   EffectRecord<Dim> effect{150, "particles' domains differ, by their lattice or as they are shortened", "body.lattice"};
   effect.called_for = [](const Setup<Dim>& s) {
-    return (!s.seeds.half_edges.empty() || s.remedies.largest_domain > 0) && domain_bytes(s) > 0;
+    return (!s.seeds.half_edges.empty() || option<LargestDomain>(s).cells > 0) && domain_bytes(s) > 0;
   };
   effect.columns = {
       {Column::domain, "domain", "m", "half edges of the reference domain, where they differ", domain_bytes}};

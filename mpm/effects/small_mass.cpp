@@ -5,6 +5,10 @@
 
 namespace assay::mpm {
 
+struct SmallMass {
+  double least = 0;  ///< 0: all forces
+};
+
 namespace {
 
 template <int Dim>
@@ -22,16 +26,16 @@ void share_forces(State<Dim>& s, const Images<Dim>& images, double whole, double
   for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= left[d];
 }
 
-/// Before the grid moves: of the force on nodes lighter than the setup's small_mass only their share of it is left.
+/// Before the grid moves: of the force on nodes that are lighter only their share of it is left.
 template <int Dim>
 Pass<Dim> small_mass_pass() {
   return {{.name = "small_mass",
            .slot = {Phase::grid, Part::limit},
            .doc = "light nodes take up force in proportion to their mass",
-           .called_for_by = "remedies.small_mass",
            .grid_fields = {"mass", "force"}},
           [](State<Dim>& s) -> Kernel {
-            const double least = s.setup.remedies.small_mass * s.setup.density * std::pow(s.setup.grid.spacing, Dim);
+            const double least =
+                option<SmallMass>(s.setup).least * s.setup.density * std::pow(s.setup.grid.spacing, Dim);
             return [&s, &images = s.template own<Images<Dim>>(), least](const Instant& now) {
               share_forces(s, images, least, now.kick);
             };
@@ -43,7 +47,21 @@ Pass<Dim> small_mass_pass() {
 template <int Dim>
 EffectRecord<Dim> small_mass_effect() {
   EffectRecord<Dim> effect{220, "light nodes take up force in proportion to their mass", "remedies.small_mass"};
-  effect.called_for = [](const Setup<Dim>& s) { return s.remedies.small_mass > 0; };
+  effect.called_for = [](const Setup<Dim>& s) { return option<SmallMass>(s).least > 0; };
+  effect.keys = [](EffectOptions& options, Keys& key) {
+    auto& own = options.tell<SmallMass>();
+    key({.name = "remedies.small_mass",
+         .doc = "nodes lighter than this receive less force, in proportion to their mass [rho0 h^2]",
+         .range = {.lower = 0, .upper = 1, .lower_open = true},
+         .derived = "all forces",
+         .shown = own.least > 0},
+        own.least);
+  };
+  effect.refusal = [](const Method& method, const EffectOptions&) -> std::string {
+    if (method.is_lumped()) return {};
+    return "looks at the mass of single nodes, and the mass matrix couples them: take mass: lumped";
+  };
+  effect.in_title = [](const EffectOptions&) -> std::string { return "small masses"; };
   effect.passes = [](const Setup<Dim>&) { return std::vector{small_mass_pass<Dim>()}; };
   return effect;
 }

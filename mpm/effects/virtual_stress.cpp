@@ -13,7 +13,6 @@ Pass<2> virtual_stress_pass(TractionForm form) {
   pass.stages = Stages::kicks;
   pass.doc = form == TractionForm::reference ? "the particles' stress without that of the exact P"
                                              : "the particles' stress without that of the exact motion";
-  pass.called_for_by = "traction.algorithm";
   pass.reads = {Column::reference_position, Column::deformation_gradient, Column::stress};
   pass.writes = {Column::excess_stress};
   pass.bind = [form](State<2>& s) -> Kernel {
@@ -47,7 +46,7 @@ std::vector<Pass<2>> virtual_stress_passes(const Setup<2>& setup) {
   std::vector<Pass<2>> passes{virtual_stress_pass(setup.traction->form)};
   passes.front().slot = {setup.method.update == Update::usf ? Phase::forces : Phase::to_grid, Part::first};
   if (setup.body_force && setup.inertia != Inertia::particles) {
-    passes.push_back(inertia_pass(setup.method, "traction.algorithm", setup.accounts));
+    passes.push_back(inertia_pass(setup.method, setup.accounts));
   }
   return passes;
 }

@@ -57,25 +57,4 @@ std::optional<Contradiction> contradiction(const Method& m) {
   return m.has_stages() ? contradiction_of_stages(m) : std::nullopt;
 }
 
-std::optional<Contradiction> contradiction(const Method& m, const Remedies& r) {
-  if (r.averages_volume() && m.has_stages()) {
-    return Contradiction{
-        "remedies.anti_locking",
-        "forces of symplectic_rkn4 follow from positions, and an average from the way there: take leapfrog"};
-  }
-  if (r.has_viscosity() && m.has_stages()) {
-    return Contradiction{"remedies.artificial_viscosity",
-                         "takes energy, which symplectic_rkn4 keeps: take leapfrog or symplectic_euler"};
-  }
-  if (r.largest_domain > 0 && (m.is_total() || (m.basis != Basis::cpdi && m.basis != Basis::cpdi2))) {
-    return Contradiction{"remedies.largest_domain",
-                         "is of domains that deform with their particle: of cpdi and cpdi2 in the updated formulation"};
-  }
-  if (r.small_mass > 0 && !m.is_lumped()) {
-    return Contradiction{"remedies.small_mass",
-                         "looks at the mass of single nodes, and the mass matrix couples them: take mass: lumped"};
-  }
-  return std::nullopt;
-}
-
 }  // namespace assay::mpm

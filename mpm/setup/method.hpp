@@ -6,25 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "harness/numeric/range.hpp"
+
 namespace assay::mpm {
-
-/// The stress is that of F scaled to a volume ratio J averaged over cells, or over the functions of nodes (F-bar):
-/// nearly incompressible materials then resist changes of a cell's volume, not of each particle's.
-enum class AntiLocking { none, cell, node };
-constexpr std::array<const char*, 3> names_of(AntiLocking) { return {"none", "cell", "node"}; }
-
-struct Remedies {
-  AntiLocking anti_locking = AntiLocking::none;
-  double largest_domain = 0;  ///< of convected domains, from a particle to a corner [cells]; 0: as they deform
-  double small_mass = 0;      ///< lighter nodes take up force in proportion [rho0 h^Dim]; 0: all forces
-  /// C1 and C2 of q = rho h (C1 c + C2 h |tr D|) |tr D| in compression, h a cell's width, of
-  /// cells and domains that deform with the body where they are thinnest; 0: no viscosity.
-  std::array<double, 2> viscosity{};
-  double viscosity_speed = 0;  ///< c of it [m/s]
-
-  bool averages_volume() const { return anti_locking != AntiLocking::none; }
-  bool has_viscosity() const { return viscosity[0] > 0 || viscosity[1] > 0; }
-};
 
 enum class Basis {
 #define ASSAY_BASIS(word, type, header) word,
@@ -76,8 +60,39 @@ struct Method {
   Mass mass = Mass::lumped;
   Affine affine = Affine::gradient;
   Integrator integrator = Integrator::symplectic_euler;
-  int terms = 2;    ///< k of mass series, XPIC(k) and FMPM(k)
-  double flip = 1;  ///< share of the particle's own velocity in FLIP and AFLIP; the rest is the grid's
+  int terms = 2;  ///< k
+  double flip = 1;
+
+  void keys(auto& key) {
+    key({"basis", "grid basis: linear, uGIMP, cpGIMP, CPDI (R4), CPDI2 (Q4), B-splines of degree 2, 3 and 4"}, basis);
+    key({"formulation",
+         "configuration of basis functions and force integration: current (updated) or reference (total)"},
+        formulation);
+    key({"transfer", "how the grid updates the velocities of the particles"}, transfer);
+    key({.name = "affine",
+         .doc = "what apic and aflip carry: the velocity gradient (exact) or its moment (angular momentum)",
+         .derived = "gradient",
+         .shown = is_affine()},
+        affine);
+    key({.name = "flip",
+         .doc = "share of the particle's own velocity in flip and aflip; the rest comes from the grid",
+         .range = {.lower = 0, .upper = 1},
+         .derived = "1",
+         .shown = keeps_velocity()},
+        flip);
+    key({"update", "when the stress is updated: first, last, or last with velocities mapped again from the particles"},
+        update);
+    key({"integrator",
+         "order 1 (symplectic_euler), 2 (leapfrog, velocities at half steps) or 4 (four force evaluations a step)"},
+        integrator);
+    key({"mass", "mass matrix: lumped by row sums, a series for its inverse, or the full matrix"}, mass);
+    key({.name = "terms",
+         .doc = "number of terms k of the mass series, of xpic and of fmpm",
+         .range = {.lower = 1, .upper = 100, .whole = true},
+         .derived = "2",
+         .shown = has_terms()},
+        terms);
+  }
 
   bool is_total() const { return formulation == Formulation::total; }
   /// Whether particles carry the velocity around them, too.
@@ -119,8 +134,5 @@ struct Contradiction {
   std::string key, reason;
 };
 std::optional<Contradiction> contradiction(const Method& method);
-
-/// Likewise of a remedy that the method has no place for.
-std::optional<Contradiction> contradiction(const Method& method, const Remedies& remedies);
 
 }  // namespace assay::mpm

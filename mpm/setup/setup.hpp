@@ -13,6 +13,7 @@
 #include "mpm/data/instructions.hpp"
 #include "mpm/grid/grid_geometry.hpp"
 #include "mpm/grid/images.hpp"
+#include "mpm/setup/effect_options.hpp"
 #include "mpm/setup/method.hpp"
 
 namespace assay::mpm {
@@ -85,7 +86,8 @@ struct Setup {
   bool hold_outside = false;                            ///< nodes and particles outside the vortex's ring are held
   std::array<AxisEnds, Dim> ends{};                     ///< symmetry planes and periodic ends of the body
   bool accounts = false;                                ///< momentum and energy accounts
-  Remedies remedies;
+  EffectOptions options;
+  double wave_speed = 0;  ///< c, of which an artificial viscosity takes a part [m/s]
   /// Whether the method is told where particles belong: of such a one the error says less.
   bool uses_exact_solution() const { return (body_force && inertia == Inertia::particles) || has_virtual_stress(); }
   /// Whether b is a alone: where F is the same everywhere, and where the virtual stress leaves no more of b.
@@ -104,5 +106,11 @@ struct Setup {
   Instructions instructions = best_instructions();  ///< of the kernels
   std::shared_ptr<const Offload> offload;           ///< of the stress pass; null: in this process. In two dimensions
 };
+
+/// What an effect was told, or that it is absent.
+template <class T>
+const T& option(const auto& setup) {
+  return setup.options.template of<T>();
+}
 
 }  // namespace assay::mpm

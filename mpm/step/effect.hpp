@@ -7,6 +7,7 @@
 
 #include <string_view>
 
+#include "harness/numeric/keys.hpp"
 #include "mpm/step/pass.hpp"
 
 namespace assay::mpm {
@@ -18,6 +19,7 @@ struct ColumnRecord {
   std::string_view name, unit, doc;
   std::size_t (*bytes)(const Setup<Dim>&);  ///< a particle
   bool of_stress = false;                   ///< the update of the material reads or writes it, wherever that runs
+  bool shown = false;                       ///< in snapshots: a number, a vector or a tensor of each particle
   std::string effect = {};                  ///< that brings it; empty: the spine
 };
 
@@ -47,6 +49,13 @@ struct EffectRecord {
   void (*prepare)(State<Dim>&) = nullptr;                                 ///< once, before passes are bound
   /// Where another key than `key` can call for it, too: the one that does so here.
   std::string (*called_by)(const Setup<Dim>&) = nullptr;
+
+  /// Shows `key` where it is the effect's own: a scene then has it. Its value is kept in the options, as a type of the
+  /// effect's with linkage, which says in its first state that the effect is absent.
+  void (*keys)(EffectOptions&, Keys&) = nullptr;
+  /// Why the method has no place for an effect with such options; empty: it has.
+  std::string (*refusal)(const Method&, const EffectOptions&) = nullptr;
+  std::string (*in_title)(const EffectOptions&) = nullptr;  ///< of a run that has it: "small masses"; null: not named
 };
 
 /// Bytes of so many numbers.

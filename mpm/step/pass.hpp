@@ -56,7 +56,7 @@ struct PassInfo {
   std::string name;
   Slot slot{Phase::stress, Part::last};
   std::string doc = {};            ///< one line
-  std::string called_for_by = {};  ///< scene key
+  std::string called_for_by = {};  ///< scene key; empty in an effect's file: that of the effect
   std::vector<Column> reads = {}, writes = {};
   std::vector<std::string> grid_fields = {};  ///< that it touches
   /// That bring it; empty: a pass of the spine. One that an effect's file names here is needed besides that effect.

@@ -53,21 +53,15 @@ TEST(Motions, EveryFileRegistersSomething) {
 class EveryMotion : public testing::TestWithParam<std::string> {};
 
 /// Takes what it is shown, and keeps the names.
-class Names final : public MotionKeys {
+class Names final : public Keys {
  public:
-  bool number(const MotionKey& key, double&) override { return add(key); }
-  bool whole(const MotionKey& key, int&) override { return add(key); }
-  bool number_or_auto(const MotionKey& key, std::optional<double>&) override { return add(key); }
-  bool word(const MotionKey& key, std::span<const char* const>, int&) override { return add(key); }
-  bool vector(const MotionKey& key, Vector3&) override { return add(key); }
-  bool tensor(const MotionKey& key, Tensor&) override { return add(key); }
   std::set<std::string> names;
 
- private:
-  bool add(const MotionKey& key) {
+ protected:
+  std::optional<KeyValue> meet(const KeyInfo& key, KeyType, const KeyValue&) override {
     EXPECT_STRNE(key.doc, "") << key.name;
     EXPECT_TRUE(names.insert(key.name).second) << key.name << " twice";
-    return false;
+    return std::nullopt;
   }
 };
 

@@ -102,13 +102,14 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
     return "the motion repeats after 2 m, and the body is " + rounded_text(width, 6) + " m wide";
   }
 
-  void keys(MotionKeys& keys) override {
+  void keys(Keys& keys) override {
     amplitude_keys(keys, m.amplitude);
     std::optional<double> speed = m.given_speed ? std::optional(m.wave_speed()) : std::nullopt;
-    if (keys.number_or_auto({"wave_speed",
-                             "c, which sets T = 1/c [m/s]; auto: c = sqrt(E/rho0) with the material's parameter E",
-                             {.lower = AxisAligned::least_wave_speed, .upper = AxisAligned::most_wave_speed}},
-                            speed)) {
+    if (keys({.name = "wave_speed",
+              .doc = "c, which sets T = 1/c [m/s]; auto: c = sqrt(E/rho0) with the material's parameter E",
+              .range = {.lower = AxisAligned::least_wave_speed, .upper = AxisAligned::most_wave_speed},
+              .automatic = true},
+             speed)) {
       m.amplitude.period = 1 / *speed;
       m.given_speed = true;
     }

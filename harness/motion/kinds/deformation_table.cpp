@@ -148,9 +148,9 @@ class DeformationTableKind final : public MotionOf<DeformationTableKind, Deforma
   std::string_view type() const override { return "homogeneous"; }
   double period() const override { return m.last(); }
   bool is_plane() const override { return m.plane(); }
-  void keys(MotionKeys& keys) override {
+  void keys(Keys& keys) override {
     double last = m.last();
-    keys.number(period_key, last);
+    keys(period_key, last);
   }
   std::optional<MotionFault> fault(const MotionUse& use) const override {
     if (use.gives("motion.final"))

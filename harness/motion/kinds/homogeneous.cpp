@@ -57,12 +57,12 @@ class HomogeneousKind final : public MotionOf<HomogeneousKind, Homogeneous> {
     const Tensor& F = m.final;
     return F(0, 2) == 0 && F(1, 2) == 0 && F(2, 0) == 0 && F(2, 1) == 0 && F(2, 2) == 1;
   }
-  void keys(MotionKeys& keys) override {
-    keys.tensor({.name = "final",
-                 .doc = "deformation gradient at t = motion.period, det F > 0 [1]",
-                 .derived = "none: required unless path is given"},
-                m.final);
-    keys.number(period_key, m.period);
+  void keys(Keys& keys) override {
+    keys({.name = "final",
+          .doc = "deformation gradient at t = motion.period, det F > 0 [1]",
+          .derived = "none: required unless path is given"},
+         m.final);
+    keys(period_key, m.period);
   }
 
   /// det F > 0 all along the straight path: checked at many times, to the scene's end.

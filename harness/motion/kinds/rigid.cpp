@@ -61,11 +61,11 @@ class RigidKind final : public MotionOf<RigidKind, Rigid> {
   std::string fault_of_period(std::size_t, double) const override {
     return m.spin != 0 ? "a body that spins does not repeat" : "";
   }
-  void keys(MotionKeys& keys) override {
-    keys.number(period_key, m.period);
-    keys.vector({"velocity", "velocity of the whole body [m/s]"}, m.velocity);
-    keys.number({"spin", "angular velocity of the whole body about the axis through the origin [rad/s]"}, m.spin);
-    keys.vector(axis_key, m.axis);
+  void keys(Keys& keys) override {
+    keys(period_key, m.period);
+    keys({"velocity", "velocity of the whole body [m/s]"}, m.velocity);
+    keys({"spin", "angular velocity of the whole body about the axis through the origin [rad/s]"}, m.spin);
+    keys(axis_key, m.axis);
   }
   std::optional<MotionFault> fault(const MotionUse&) const override { return fault_of_axis(m.axis); }
 };

@@ -12,7 +12,7 @@ namespace assay {
 /// after: Lambda = 1 + a q(2 t/T), angle = beta q(2 t/T - 1).
 struct RotatingStretch {
   enum class Rotate { none, simultaneous, after };
-  static constexpr std::array rotate_words{"none", "simultaneous", "after"};
+  friend constexpr std::array<const char*, 3> names_of(Rotate) { return {"none", "simultaneous", "after"}; }
   double stretch = 0;     ///< a > -1 [1]
   double shear = 0;       ///< k [1]
   double rotation = 0;    ///< beta [rad]

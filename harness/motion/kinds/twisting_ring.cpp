@@ -66,12 +66,12 @@ class TwistingRingKind final : public MotionOf<TwistingRingKind, TwistingRing>, 
   RingRadial radial(double R) const override { return m.radial(R); }
   AmplitudeValue widening(double t) const override { return m.widening(t); }
 
-  void keys(MotionKeys& keys) override {
+  void keys(Keys& keys) override {
     ring_keys(keys, m.twist);
-    keys.number({.name = "expansion",
-                 .doc = "e: radii change by e sin(pi t/T) U(R), with U = 1 at the outer radius [m]",
-                 .required = true},
-                m.expansion);
+    keys({.name = "expansion",
+          .doc = "e: radii change by e sin(pi t/T) U(R), with U = 1 at the outer radius [m]",
+          .required = true},
+         m.expansion);
     amplitude_keys(keys, m.twist.amplitude);
   }
   std::optional<MotionFault> fault(const MotionUse&) const override {

@@ -142,7 +142,7 @@ class VortexKind final : public MotionOf<VortexKind, Vortex>, public PolarMotion
   RingProfile profile(double R) const override { return m.profile(R); }
   std::function<std::vector<double>(double)> radii_of_parameter() const override { return RadiiOfXi(m); }
 
-  void keys(MotionKeys& keys) override {
+  void keys(Keys& keys) override {
     ring_keys(keys, m);
     amplitude_keys(keys, m.amplitude);
   }
@@ -153,14 +153,14 @@ class VortexKind final : public MotionOf<VortexKind, Vortex>, public PolarMotion
 
 std::unique_ptr<MotionKind> kind_of(const Vortex& motion) { return std::make_unique<VortexKind>(motion); }
 
-void ring_keys(MotionKeys& keys, Vortex& m) {
-  keys.number({"inner", "inner radius ri of the ring [m]", positive}, m.inner);
-  keys.number({"outer", "outer radius ro of the ring [m]", positive}, m.outer);
-  keys.number(period_key, m.amplitude.period);
-  keys.whole({"profile_power",
-              "m of the profile h = (1 - s^2)^m; m = 1 is excluded: the ring's faces would need tractions",
-              {.lower = 2, .upper = 64, .whole = true}},
-             m.profile_power);
+void ring_keys(Keys& keys, Vortex& m) {
+  keys({"inner", "inner radius ri of the ring [m]", positive}, m.inner);
+  keys({"outer", "outer radius ro of the ring [m]", positive}, m.outer);
+  keys(period_key, m.amplitude.period);
+  keys({"profile_power",
+        "m of the profile h = (1 - s^2)^m; m = 1 is excluded: the ring's faces would need tractions",
+        {.lower = 2, .upper = 64, .whole = true}},
+       m.profile_power);
 }
 
 std::optional<MotionFault> fault_of_radii(const Annulus& ring) {

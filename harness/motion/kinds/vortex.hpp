@@ -56,7 +56,7 @@ class RadiiOfXi {
 std::unique_ptr<MotionKind> kind_of(const Vortex& motion);
 
 /// The keys of a ring that turns, but for those of its amplitude.
-void ring_keys(MotionKeys& keys, Vortex& motion);
+void ring_keys(Keys& keys, Vortex& motion);
 
 /// Whether the inner radius is the smaller one.
 std::optional<MotionFault> fault_of_radii(const Annulus& ring);

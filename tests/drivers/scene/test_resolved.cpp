@@ -9,6 +9,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/text/numbers.hpp"
 #include "tests/drivers/scene_text.hpp"
+#include "tests/mpm/effect_keys.hpp"
 #include "tests/support/kept_yaml.hpp"
 
 namespace assay::drivers::test_resolved {
@@ -96,12 +97,12 @@ TEST(Resolved, HoldsEveryKeyThatApplies) {
       scene_text("grid: {spacing: .1, lower: [-2, -2], upper: [2, 2]}\nmethod: {basis: ugimp, transfer: "
                  "aflip, mass: series}\nbody: {lattice: jittered}\ntime: {step: .1}\nframe: {}\n"),
       "f");
-  scene.material.direction = {0.0, 1.0, 0.0};  // of a model that has one
-  scene.material.isolation = Isolation::none;  // filled in with the material
-  scene.body.initial_velocity.emplace();       // of a scene without a force
-  scene.remedies.largest_domain = 1;           // of cpdi
-  scene.remedies.small_mass = 0.1;             // of lumped mass
-  scene.remedies.viscosity = {0.1, 1.5};
+  scene.material.direction = {0.0, 1.0, 0.0};                             // of a model that has one
+  scene.material.isolation = Isolation::none;                             // filled in with the material
+  scene.body.initial_velocity.emplace();                                  // of a scene without a force
+  EXPECT_TRUE(mpm::tell(scene.effects, "remedies.largest_domain", 1.0));  // of cpdi
+  EXPECT_TRUE(mpm::tell(scene.effects, "remedies.small_mass", 0.1));      // of lumped mass
+  EXPECT_TRUE(mpm::tell(scene.effects, "remedies.artificial_viscosity", std::vector{0.1, 1.5}));
   scene.output.each_step_from = 0.9;
   const std::string text = resolved_yaml(scene);
   const Tree root = read_yaml(text, "resolved");

@@ -19,8 +19,8 @@ std::string breakdown_of(const mpm::State<2>& s) {
   using mpm::Column;
   const auto& grid = s.setup.grid;
   const bool boxed = s.method.basis == mpm::Basis::ugimp;  // within half a cell of the edge it has no nodes
-  const double longest =
-      s.setup.remedies.largest_domain > 0 ? s.setup.remedies.largest_domain * grid.spacing : INFINITY;
+  const double largest = mpm::option<mpm::LargestDomain>(s.setup).cells;
+  const double longest = largest > 0 ? largest * grid.spacing : INFINITY;
   for (std::size_t p = 0; p < s.particles; ++p) {
     const auto F = [&](int c) { return s.column(Column::deformation_gradient, c)[p]; };
     const double det = F(0) * F(3) - F(1) * F(2);

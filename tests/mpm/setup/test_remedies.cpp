@@ -13,6 +13,7 @@
 #include "mpm/simulation.hpp"
 #include "tests/harness/elastic_material.hpp"
 #include "tests/mpm/basis_cases.hpp"
+#include "tests/mpm/effect_keys.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
 namespace assay::mpm::test_remedies {
@@ -20,12 +21,29 @@ namespace {
 
 constexpr double rounding = 1e-13;
 
+/// Those that are asked for, as a scene asks.
+struct Remedies {
+  AntiLocking anti_locking = AntiLocking::none;
+  double largest_domain = 0, small_mass = 0;
+  std::array<double, 2> viscosity{};
+
+  EffectOptions options() const {
+    EffectOptions told;
+    const std::vector<double> C(viscosity.begin(), viscosity.end());
+    EXPECT_TRUE(tell(told, "remedies.anti_locking", value_of(anti_locking)));
+    EXPECT_TRUE(tell(told, "remedies.largest_domain", largest_domain));
+    EXPECT_TRUE(tell(told, "remedies.small_mass", small_mass));
+    EXPECT_TRUE(tell(told, "remedies.artificial_viscosity", C));
+    return told;
+  }
+};
+
 /// A square of 4 x 4 cells with 2 x 2 particles each.
 Setup<2> square(Method method, Remedies remedies) {
   Setup<2> setup;
   setup.method = method;
-  setup.remedies = remedies;
-  setup.remedies.viscosity_speed = 2;
+  setup.options = remedies.options();
+  setup.wave_speed = 2;
   setup.grid.spacing = 0.5;
   setup.grid.first = {-3, -3};
   setup.grid.count = {12, 12};
@@ -300,7 +318,7 @@ TEST(ArtificialViscosity, TakesTheThinnestWidthOfWhatShearsWithTheBody) {
 
 TEST(RemedyContradictions, NameTheKeyAndWhatToTake) {
   const auto key = [](const Method& method, const Remedies& remedies) {
-    const auto found = contradiction(method, remedies);
+    const auto found = contradiction<2>(method, remedies.options());
     return found ? found->key : "";
   };
   Method total = method_of(Basis::bspline2, Formulation::total), stages = total, series = total;

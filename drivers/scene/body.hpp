@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `body` of a scene: the shape, its particles, and how it begins.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/numeric/range.hpp"
+
+namespace assay::drivers {
+
+// Words of motion.type and body.domain for which a key exists.
+std::vector<std::string> loaded_motions();  ///< with tractions on the surface of the body
+std::vector<std::string> repeating_motions();
+std::vector<std::string> vortex_motions();
+inline std::vector<std::string> domains_with_corners() { return {"square", "box"}; }
+
+/// `body.initial_velocity` of a body that is left to itself: v = velocity + L X, L of a spin and a stretching.
+struct InitialVelocity {
+  std::array<double, 2> velocity{};
+  double spin = 0;
+  std::array<double, 3> stretching{};
+
+  void keys(auto& key) {
+    key({"velocity", "velocity at the origin [m/s]"}, velocity);
+    key({"spin", "angular velocity about E_z through the origin [rad/s]"}, spin);
+    key({"stretching", "symmetric part of the velocity gradient: D11, D22, D12 [1/s]"}, stretching);
+  }
+
+  /// L = D + W: L11, L12, L21, L22 [1/s].
+  std::array<double, 4> gradient() const {
+    return {stretching[0], stretching[2] - spin, stretching[2] + spin, stretching[1]};
+  }
+  /// v at X, Y [m/s].
+  std::array<double, 2> at(double X, double Y) const {
+    const std::array<double, 4> L = gradient();
+    return {velocity[0] + L[0] * X + L[1] * Y, velocity[1] + L[2] * X + L[3] * Y};
+  }
+};
+
+struct Body {
+  enum class Domain { ring, square, box };
+  enum class Outside { held, free };
+  enum class Lattice { cartesian, polar, gauss, jittered };
+  enum class Cut { clipped, whole };
+  enum class Periodic { none, x, y, both };
+  friend constexpr std::array<const char*, 3> names_of(Domain) { return {"ring", "square", "box"}; }
+  friend constexpr std::array<const char*, 2> names_of(Outside) { return {"held", "free"}; }
+  friend constexpr std::array<const char*, 4> names_of(Lattice) { return {"cartesian", "polar", "gauss", "jittered"}; }
+  friend constexpr std::array<const char*, 2> names_of(Cut) { return {"clipped", "whole"}; }
+  friend constexpr std::array<const char*, 4> names_of(Periodic) { return {"none", "x", "y", "both"}; }
+
+  Domain domain = Domain::ring;
+  Outside outside = Outside::held;
+  std::array<double, 2> lower{-1.5, -1.5}, upper{1.5, 1.5};
+  std::array<int, 2> per_cell{2, 2};
+  Lattice lattice = Lattice::cartesian;
+  Cut cut = Cut::clipped;
+  double jitter = 0.25;
+  int seed = 1;
+  Periodic periodic = Periodic::none;
+  std::optional<InitialVelocity> initial_velocity;  ///< absent: that of the motion
+
+  void keys(auto& key) {
+    const bool is_jittered = lattice == Lattice::jittered;
+    key({.name = "domain",
+         .doc = "shape; a ring takes its radii from the motion, square and box are given by their corners",
+         .derived = "ring for the vortex and the twisting ring, square otherwise"},
+        domain);
+    key({.name = "outside",
+         .doc = "what surrounds the ring in a square or box: fixed (held) or free to move (free)",
+         .derived = "free for a ring, held for square and box",
+         .motions = vortex_motions},
+        outside);
+    key({.name = "lower", .doc = "lower corner of a square or box [m]", .domains = domains_with_corners}, lower);
+    key({.name = "upper", .doc = "upper corner of a square or box [m]", .domains = domains_with_corners}, upper);
+    key({"per_cell", "particles per cell in each direction", {.lower = 1, .upper = 16, .whole = true}}, per_cell);
+    key({"lattice",
+         "particle positions: square lattice, sectors of rings, Gauss points of the cells, or random offsets"},
+        lattice);
+    key({.name = "cut",
+         .doc = "lattice cells at the ring's edges: clipped to the ring, or whole if their centre is inside",
+         .derived = "clipped with domain_average and of the twisting ring, whole with point",
+         .domains = [] { return std::vector<std::string>{"ring"}; },
+         .shown = lattice != Lattice::polar},
+        cut);
+    key({.name = "jitter",
+         .doc = "jittered lattice: bound on the random offset along each axis [distance between particles]",
+         .range = {.lower = 0, .upper = 0.5, .lower_open = true},
+         .derived = "0.25",
+         .shown = is_jittered},
+        jitter);
+    key({.name = "seed",
+         .doc = "jittered lattice: seed of the random offsets",
+         .range = {.lower = 0, .upper = 1e9, .whole = true},
+         .derived = "1",
+         .shown = is_jittered},
+        seed);
+    key({.name = "periodic",
+         .doc = "directions in which the body repeats; unit box: other faces at whole metres are symmetry planes",
+         .motions = repeating_motions,
+         .domains = domains_with_corners},
+        periodic);
+  }
+
+  bool is_periodic(std::size_t d) const {
+    return periodic == Periodic::both || periodic == (d == 0 ? Periodic::x : Periodic::y);
+  }
+};
+
+}  // namespace assay::drivers

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a scene can tell a struct: keys with their values. A struct names its keys once, beside its members,
+//
+//   void keys(auto& key) { key({"spacing", "node spacing h [m]", {.range = positive, .required = true}}, spacing); }
+//
+// and a scene is read, written, described and checked by visitors of them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "harness/numeric/range.hpp"
+#include "harness/numeric/tensor.hpp"
+
+namespace assay {
+
+/// monostate: absent.
+using KeyValue = std::variant<std::monostate, bool, double, std::string, std::vector<double>>;
+
+/// automatic: a number, or the word "auto", which is what stands where nothing is given.
+enum class KeyType { number, automatic, boolean, text, choice, pair, vector, matrix };
+
+/// What is said of a key beside its value. Keys of one name under one section are one key, with one text.
+struct KeyInfo {
+  using Words = std::vector<std::string> (*)();
+  const char* name;                           ///< under its section: "amplitude.peak"
+  const char* doc;                            ///< one line, with the unit
+  Range range = {};                           ///< of a number, or of each in a list
+  std::span<const char* const> choices = {};  ///< of a word; empty: all names of the enumeration
+  bool required = false;
+  bool automatic = false;                      ///< an optional number, of which `auto` is the word where it is absent
+  const char* derived = "";                    ///< how the default follows from other keys; empty: it is a constant
+  Words motions = nullptr, domains = nullptr;  ///< motion.type and body.domain for which it exists; null: all
+  bool shown = true;                           ///< in a scene that is written in full, where it has a value
+};
+
+template <class Member>
+struct Optional : std::false_type {
+  using Kept = Member;
+};
+template <class Member>
+struct Optional<std::optional<Member>> : std::true_type {
+  using Kept = Member;
+};
+
+template <class Member>
+constexpr KeyType type_of() {
+  using Kept = typename Optional<Member>::Kept;
+  if constexpr (std::is_same_v<Kept, bool>) return KeyType::boolean;
+  if constexpr (std::is_same_v<Kept, std::string>) return KeyType::text;
+  if constexpr (std::is_enum_v<Kept>) return KeyType::choice;
+  if constexpr (std::is_same_v<Kept, Vector3>) return KeyType::vector;
+  if constexpr (std::is_same_v<Kept, Tensor>) return KeyType::matrix;
+  if constexpr (requires(Kept k) { std::tuple_size<Kept>::value; })
+    return std::tuple_size_v<Kept> == 2 ? KeyType::pair : KeyType::vector;
+  return KeyType::number;
+}
+
+template <class Member>
+KeyValue value_of(const Member& member) {
+  if constexpr (Optional<Member>::value) {
+    return member ? value_of(*member) : KeyValue();
+  } else if constexpr (std::is_enum_v<Member>) {
+    return names_of(member)[static_cast<std::size_t>(member)];
+  } else if constexpr (std::is_same_v<Member, Tensor>) {
+    std::vector<double> list;
+    for (int i = 0; i < 9; ++i) list.push_back(component(member, i));
+    return list;
+  } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
+    return std::vector<double>(member.begin(), member.end());
+  } else if constexpr (std::is_same_v<Member, int>) {
+    return static_cast<double>(member);
+  } else {
+    return member;
+  }
+}
+
+/// Whoever asks has checked that the value is one of the key.
+template <class Member>
+void give(Member& member, const KeyValue& value) {
+  if constexpr (Optional<Member>::value) {
+    give(member.emplace(), value);
+  } else if constexpr (std::is_enum_v<Member>) {
+    const auto names = names_of(member);
+    member = static_cast<Member>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
+  } else if constexpr (std::is_same_v<Member, Tensor>) {
+    for (int i = 0; i < 9; ++i)
+      component(member, i) = std::get<std::vector<double>>(value)[static_cast<std::size_t>(i)];
+  } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
+    const auto& list = std::get<std::vector<double>>(value);
+    for (std::size_t k = 0; k < list.size(); ++k) member[k] = static_cast<typename Member::value_type>(list[k]);
+  } else if constexpr (std::is_same_v<Member, int>) {
+    member = static_cast<int>(std::get<double>(value));
+  } else {
+    member = std::get<Member>(value);
+  }
+}
+
+/// A visitor of keys.
+class Keys {
+ public:
+  virtual ~Keys() = default;
+
+  /// Shows a key with the value that it has, and returns whether it was given another one.
+  template <class Member>
+  bool operator()(KeyInfo key, Member& member) {
+    using Kept = typename Optional<Member>::Kept;
+    if constexpr (std::is_enum_v<Kept>) {
+      static constexpr auto names = names_of(Kept{});
+      if (key.choices.empty()) key.choices = names;
+    }
+    KeyValue value = value_of(member);
+    if (key.automatic && value.index() == 0) value = "auto";
+    const auto answer = meet(key, key.automatic ? KeyType::automatic : type_of<Member>(), value);
+    if (answer) give(member, *answer);
+    return answer.has_value();
+  }
+
+ protected:
+  /// The value to give to the key; none: it keeps that which it has.
+  virtual std::optional<KeyValue> meet(const KeyInfo& key, KeyType type, const KeyValue& value) = 0;
+};
+
+}  // namespace assay
