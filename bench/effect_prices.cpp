@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What each optional effect costs: the same scene with it and without.
-//   effect_prices                            a line of JSON for each effect
+//   effect_prices [NAME...]                  a line of JSON for each effect, or for these
 //   effect_prices NAME with|without STEPS    so many steps of its scene and nothing else, for tools that look at a
 //                                            program from outside; prints the number of particles
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "bench/effect_scenes.hpp"
 #include "bench/method_cases.hpp"
@@ -182,19 +183,20 @@ nlohmann::ordered_json priced(const EffectScene& way) {
 }  // namespace
 
 int main(int count, char** words) {
-  const bool all = count == 1;
-  if (!all && count != 4) return 2;
+  const std::set<std::string> names(words + 1, words + count);
+  const bool steps = count == 4 && (names.contains("with") || names.contains("without"));
+  std::size_t met = 0;
   for (const EffectScene& way : bench::effect_scenes(ASSAY_BINARY_DIR "/materials")) {
-    if (all) {
-      std::printf("%s\n", priced(way).dump().c_str());
-      std::fflush(stdout);
-      continue;
+    if (!names.empty() && !names.contains(way.effect)) continue;
+    ++met;
+    if (steps) {
+      Side side(way, std::strcmp(words[2], "with") == 0);
+      side.step(std::atoi(words[3]));
+      std::printf("%zu\n", side.particles());
+      return 0;
     }
-    if (way.effect != words[1]) continue;
-    Side side(way, std::strcmp(words[2], "with") == 0);
-    side.step(std::atoi(words[3]));
-    std::printf("%zu\n", side.particles());
-    return 0;
+    std::printf("%s\n", priced(way).dump().c_str());
+    std::fflush(stdout);
   }
-  return all ? 0 : 2;
+  return met >= (steps ? 1 : names.size()) ? 0 : 2;
 }

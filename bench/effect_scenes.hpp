@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "mpm/compose.hpp"
+
 namespace assay::bench {
 
 struct EffectScene {
@@ -73,10 +75,9 @@ inline std::vector<EffectScene> effect_scenes(const std::string& materials) {
   of_vortex("force_stages", {total + "symplectic_euler}"}, {total + "symplectic_rkn4}"});
   of_vortex("stress_first", {}, {"method.update=usf"});
   of_vortex("remapped_velocity", {}, {"method.update=musl"});
-  of_vortex("anti_locking", {}, {"remedies.anti_locking=cell"});
-  of_vortex("largest_domain", {}, {"remedies.largest_domain=0.5"});
-  of_vortex("small_mass", {}, {"remedies.small_mass=0.1"});
-  of_vortex("artificial_viscosity", {}, {"remedies.artificial_viscosity=[0.1, 1.5]"});
+  for (const auto& effect : mpm::effects<2>()) {
+    if (!effect.example.empty()) of_vortex(effect.name, {}, {effect.key + "=" + effect.example});
+  }
   of_vortex("time_control", {}, {"time.control=current"});
   of_vortex("energy_account", {}, {"output.accounts=true"});
   of_vortex("screening", {none}, {});

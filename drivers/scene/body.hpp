@@ -24,9 +24,9 @@ struct InitialVelocity {
   std::array<double, 3> stretching{};
 
   void keys(auto& key) {
-    key({"velocity", "velocity at the origin [m/s]"}, velocity);
-    key({"spin", "angular velocity about E_z through the origin [rad/s]"}, spin);
-    key({"stretching", "symmetric part of the velocity gradient: D11, D22, D12 [1/s]"}, stretching);
+    key("velocity", "velocity at the origin [m/s]", velocity);
+    key("spin", "angular velocity about E_z through the origin [rad/s]", spin);
+    key("stretching", "symmetric part of the velocity gradient: D11, D22, D12 [1/s]", stretching);
   }
 
   /// L = D + W: L11, L12, L21, L22 [1/s].
@@ -65,44 +65,26 @@ struct Body {
 
   void keys(auto& key) {
     const bool is_jittered = lattice == Lattice::jittered;
-    key({.name = "domain",
-         .doc = "shape; a ring takes its radii from the motion, square and box are given by their corners",
-         .derived = "ring for the vortex and the twisting ring, square otherwise"},
-        domain);
-    key({.name = "outside",
-         .doc = "what surrounds the ring in a square or box: fixed (held) or free to move (free)",
-         .derived = "free for a ring, held for square and box",
-         .motions = vortex_motions},
-        outside);
-    key({.name = "lower", .doc = "lower corner of a square or box [m]", .domains = domains_with_corners}, lower);
-    key({.name = "upper", .doc = "upper corner of a square or box [m]", .domains = domains_with_corners}, upper);
-    key({"per_cell", "particles per cell in each direction", {.lower = 1, .upper = 16, .whole = true}}, per_cell);
-    key({"lattice",
-         "particle positions: square lattice, sectors of rings, Gauss points of the cells, or random offsets"},
+    key("domain", "shape; a ring takes its radii from the motion, square and box are given by their corners", domain,
+        {.derived = "ring for the vortex and the twisting ring, square otherwise"});
+    key("outside", "what surrounds the ring in a square or box: fixed (held) or free to move (free)", outside,
+        {.derived = "free for a ring, held for square and box", .motions = vortex_motions});
+    key("lower", "lower corner of a square or box [m]", lower, {.domains = domains_with_corners});
+    key("upper", "upper corner of a square or box [m]", upper, {.domains = domains_with_corners});
+    key("per_cell", "particles per cell in each direction", per_cell,
+        {.range = {.lower = 1, .upper = 16, .whole = true}});
+    key("lattice", "particle positions: square lattice, sectors of rings, Gauss points of the cells, or random offsets",
         lattice);
-    key({.name = "cut",
-         .doc = "lattice cells at the ring's edges: clipped to the ring, or whole if their centre is inside",
-         .derived = "clipped with domain_average and of the twisting ring, whole with point",
+    key("cut", "lattice cells at the ring's edges: clipped to the ring, or whole if their centre is inside", cut,
+        {.derived = "clipped with domain_average and of the twisting ring, whole with point",
          .domains = [] { return std::vector<std::string>{"ring"}; },
-         .shown = lattice != Lattice::polar},
-        cut);
-    key({.name = "jitter",
-         .doc = "jittered lattice: bound on the random offset along each axis [distance between particles]",
-         .range = {.lower = 0, .upper = 0.5, .lower_open = true},
-         .derived = "0.25",
-         .shown = is_jittered},
-        jitter);
-    key({.name = "seed",
-         .doc = "jittered lattice: seed of the random offsets",
-         .range = {.lower = 0, .upper = 1e9, .whole = true},
-         .derived = "1",
-         .shown = is_jittered},
-        seed);
-    key({.name = "periodic",
-         .doc = "directions in which the body repeats; unit box: other faces at whole metres are symmetry planes",
-         .motions = repeating_motions,
-         .domains = domains_with_corners},
-        periodic);
+         .shown = lattice != Lattice::polar});
+    key("jitter", "jittered lattice: bound on the random offset along each axis [distance between particles]", jitter,
+        {.range = {.lower = 0, .upper = 0.5, .lower_open = true}, .derived = "0.25", .shown = is_jittered});
+    key("seed", "jittered lattice: seed of the random offsets", seed,
+        {.range = {.lower = 0, .upper = 1e9, .whole = true}, .derived = "1", .shown = is_jittered});
+    key("periodic", "directions in which the body repeats; unit box: other faces at whole metres are symmetry planes",
+        periodic, {.motions = repeating_motions, .domains = domains_with_corners});
   }
 
   bool is_periodic(std::size_t d) const {

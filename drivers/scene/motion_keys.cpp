@@ -58,7 +58,7 @@ void set_motion(Scene& s, const Value& v) {
 
 Key key_of_type() {
   const auto get = [](const Scene& s) { return Value(motion_type(s)); };
-  Key key = key_row("motion", {.name = "type", .doc = "which manufactured motion the body follows", .required = true},
+  Key key = key_row("motion", {{.required = true}, "type", "which manufactured motion the body follows"},
                     KeyType::choice, get, set_motion);
   key.choices = types_of([](const Motion&) { return true; });
   return key;

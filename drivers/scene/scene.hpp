@@ -27,27 +27,21 @@ struct MaterialChoice {
 
   void keys(auto& key) {
     static constexpr const char* places[] = {"worker", "none"};
-    key({.name = "adapter",
-         .doc = "registered name, shared library (lib.so or lib.so:name), Fortran source or description (.yaml)",
-         .required = true},
-        adapter);
-    key({.name = "density",
-         .doc = "density rho0 in the reference configuration [kg/m^3]",
-         .range = positive,
+    key("adapter", "registered name, shared library (lib.so or lib.so:name), Fortran source or description (.yaml)",
+        adapter, {.required = true});
+    key("density", "density rho0 in the reference configuration [kg/m^3]", density,
+        {.range = positive,
          .derived = "of the material's description; required where it has none",
-         .shown = density > 0},
-        density);
-    key({.name = "direction",
-         .doc = "axis of the model, any length; components on e_R, e_Theta, e_Z in the vortex, else on the coordinate "
-                "axes",
-         .derived = "[1, 0, 0] of a model that has one"},
-        direction);
-    key({.name = "isolation",
-         .doc = "where the model's code runs: in worker processes (worker) or in the process of assay (none)",
-         .choices = places,
+         .shown = density > 0});
+    key("direction",
+        "axis of the model, any length; components on e_R, e_Theta, e_Z in the vortex, else on the coordinate "
+        "axes",
+        direction, {.derived = "[1, 0, 0] of a model that has one"});
+    key("isolation", "where the model's code runs: in worker processes (worker) or in the process of assay (none)",
+        isolation,
+        {.choices = places,
          .derived = "worker for UMAT, VUMAT and MFront, none for native models",
-         .shown = isolation != Isolation::automatic},
-        isolation);
+         .shown = isolation != Isolation::automatic});
   }
 
   Location where;                                       ///< of `material.adapter`
@@ -64,18 +58,11 @@ struct GridChoice {
   std::optional<std::array<double, 2>> lower, upper;
 
   void keys(auto& key) {
-    key({.name = "spacing",
-         .doc = "node spacing h [m]; nodes are at multiples of h",
-         .range = positive,
-         .required = true},
-        spacing);
-    key({.name = "offset",
-         .doc = "shift of the nodes from multiples of h; the body is not shifted [h]",
-         .range = {.lower = 0, .upper = 1},
-         .derived = "[0, 0]"},
-        offset);
-    key({.name = "lower", .doc = "lower corner of the grid [m]", .derived = "around the body with a margin"}, lower);
-    key({.name = "upper", .doc = "upper corner of the grid [m]", .derived = "around the body with a margin"}, upper);
+    key("spacing", "node spacing h [m]; nodes are at multiples of h", spacing, {.range = positive, .required = true});
+    key("offset", "shift of the nodes from multiples of h; the body is not shifted [h]", offset,
+        {.range = {.lower = 0, .upper = 1}, .derived = "[0, 0]"});
+    key("lower", "lower corner of the grid [m]", lower, {.derived = "around the body with a margin"});
+    key("upper", "upper corner of the grid [m]", upper, {.derived = "around the body with a margin"});
   }
 };
 
@@ -87,10 +74,8 @@ struct Method : mpm::Method {
 
   void keys(auto& key) {
     mpm::Method::keys(key);
-    key({"courant",
-         "Courant number of the fastest wave on the baseline path plus the fastest particle",
-         {.lower = 0, .upper = 1, .lower_open = true}},
-        courant);
+    key("courant", "Courant number of the fastest wave on the baseline path plus the fastest particle", courant,
+        {.range = {.lower = 0, .upper = 1, .lower_open = true}});
   }
 };
 
@@ -106,22 +91,16 @@ struct ForceChoice {
   double tolerance = 1e-8;
 
   void keys(auto& key) {
-    key({"response", "source of the stress tau on the baseline path; none: no body force"}, response);
-    key({"evaluation", "body force at the particle's reference position, or averaged over its reference domain"},
+    key("response", "source of the stress tau on the baseline path; none: no body force", response);
+    key("evaluation", "body force at the particle's reference position, or averaged over its reference domain",
         evaluation);
-    key({"inertia",
-         "grid: all of b acts through the grid; particles: they receive its part a (uses the exact solution)"},
+    key("inertia", "grid: all of b acts through the grid; particles: they receive its part a (uses the exact solution)",
         inertia);
-    key({"radii",
-         "number of histories that response: shadow steps during the run",
-         {.lower = 4, .upper = 1e6, .whole = true}},
-        radii);
-    key({"cache", "keep the sheet on disk and reuse it in later runs"}, cache);
-    key({.name = "tolerance",
-         .doc = "requested relative error of the sheet",
-         .range = {.lower = 1e-14, .upper = 1e-2},
-         .derived = "1e-8; 1e-5 for a UMAT, VUMAT or MFront model"},
-        tolerance);
+    key("radii", "number of histories that response: shadow steps during the run", radii,
+        {.range = {.lower = 4, .upper = 1e6, .whole = true}});
+    key("cache", "keep the sheet on disk and reuse it in later runs", cache);
+    key("tolerance", "requested relative error of the sheet", tolerance,
+        {.range = {.lower = 1e-14, .upper = 1e-2}, .derived = "1e-8; 1e-5 for a UMAT, VUMAT or MFront model"});
   }
 };
 
@@ -130,15 +109,12 @@ struct TractionChoice {
   std::optional<mpm::TractionForm> form;
 
   void keys(auto& key) {
-    key({.name = "algorithm",
-         .doc = "forces on domain edges, from the exact stress, at surface particles, or on edges of undeformed length",
-         .motions = loaded_motions},
-        algorithm);
-    key({.name = "form",
-         .doc = "sigma n ds on the current surface (follower), or P N dA0 (reference)",
-         .derived = "the stable one: reference where the body is stretched, follower where it is compressed",
-         .motions = loaded_motions},
-        form);
+    key("algorithm",
+        "forces on domain edges, from the exact stress, at surface particles, or on edges of undeformed length",
+        algorithm, {.motions = loaded_motions});
+    key("form", "sigma n ds on the current surface (follower), or P N dA0 (reference)", form,
+        {.derived = "the stable one: reference where the body is stretched, follower where it is compressed",
+         .motions = loaded_motions});
   }
 };
 
@@ -150,14 +126,11 @@ struct TimeChoice {
   Control control = Control::planned;
 
   void keys(auto& key) {
-    key({.name = "end", .doc = "end of the run [s]", .range = positive, .derived = "motion.period"}, end);
-    key({.name = "step",
-         .doc = "fixed time step dt, in place of method.courant [s]",
-         .range = positive,
-         .derived = "of method.courant"},
-        step);
-    key({"control",
-         "planned: equal steps from the exact motion; current: steps from the present fastest wave and particle"},
+    key("end", "end of the run [s]", end, {.range = positive, .derived = "motion.period"});
+    key("step", "fixed time step dt, in place of method.courant [s]", step,
+        {.range = positive, .derived = "of method.courant"});
+    key("control",
+        "planned: equal steps from the exact motion; current: steps from the present fastest wave and particle",
         control);
   }
 };
@@ -168,23 +141,18 @@ struct OutputChoice {
   bool pictures = true, report = true, accounts = true, tractions = false;
 
   void keys(auto& key) {
-    key({"errors", "number of samples of the error over the run", {.lower = 1, .upper = 1e6, .whole = true}}, errors);
-    key({"particles",
-         "number of snapshots of the particles (VTU) over the run; 0: none",
-         {.lower = 0, .upper = 1e5, .whole = true}},
-        particles);
-    key({.name = "each_step_from",
-         .doc = "also write a snapshot of every step from this time on [s]",
-         .range = {.lower = 0},
-         .derived = "none"},
-        each_step_from);
-    key({"pictures", "write PNG pictures"}, pictures);
-    key({"report", "write report.html"}, report);
-    key({"accounts", "compute the accounts of mass, momentum and energy"}, accounts);
-    key({.name = "tractions",
-         .doc = "repeat the run with each traction algorithm on grids of 4h, 2h and h, for report.html and result.json",
-         .motions = loaded_motions},
-        tractions);
+    key("errors", "number of samples of the error over the run", errors,
+        {.range = {.lower = 1, .upper = 1e6, .whole = true}});
+    key("particles", "number of snapshots of the particles (VTU) over the run; 0: none", particles,
+        {.range = {.lower = 0, .upper = 1e5, .whole = true}});
+    key("each_step_from", "also write a snapshot of every step from this time on [s]", each_step_from,
+        {.range = {.lower = 0}, .derived = "none"});
+    key("pictures", "write PNG pictures", pictures);
+    key("report", "write report.html", report);
+    key("accounts", "compute the accounts of mass, momentum and energy", accounts);
+    key("tractions",
+        "repeat the run with each traction algorithm on grids of 4h, 2h and h, for report.html and result.json",
+        tractions, {.motions = loaded_motions});
   }
   bool writes_particles() const { return particles > 0 || each_step_from; }
 };
@@ -194,8 +162,8 @@ struct Limits {
   double particle_steps = 1e12;
 
   void keys(auto& key) {
-    key({"memory_gib", "refuse a run that would need more memory [GiB]", positive}, memory_gib);
-    key({"particle_steps", "refuse a run of more particles times steps", positive}, particle_steps);
+    key("memory_gib", "refuse a run that would need more memory [GiB]", memory_gib, {.range = positive});
+    key("particle_steps", "refuse a run of more particles times steps", particle_steps, {.range = positive});
   }
 };
 
@@ -231,10 +199,9 @@ struct Scene {
   std::vector<Expectation> expect;
 
   void keys(auto& key) {
-    key({"title", "one-line title for pictures and reports"}, title);
-    key({"motion.allow_unstable",
-         "run a motion that is not a stable solution for the model; otherwise the run is refused"},
-        allow_unstable);
+    key("title", "one-line title for pictures and reports", title);
+    key("motion.allow_unstable",
+        "run a motion that is not a stable solution for the model; otherwise the run is refused", allow_unstable);
   }
 
   std::map<std::string, Location> places;  ///< where the keys that were given stand, by dotted path

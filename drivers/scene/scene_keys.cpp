@@ -78,9 +78,9 @@ void show(mpm::EffectOptions& options, Keys& visitor) {
 
 Key key_row(const std::string& section, const KeyInfo& info, KeyType type, Get get, Set set) {
   const auto words = [](KeyInfo::Words list) { return list ? list() : std::vector<std::string>(); };
-  return {.path = key_path(section, info.name),
+  return {.path = key_path(section, std::string(info.name)),
           .type = type,
-          .doc = info.doc,
+          .doc = std::string(info.doc),
           .range = info.range,
           .choices = {info.choices.begin(), info.choices.end()},
           .required = info.required,

@@ -90,7 +90,7 @@ void show(std::optional<Part>& part, Keys& visitor) {
 std::vector<Key> keys_of(const std::string& section, auto sample, auto part) {
   std::vector<Key> keys;
   EachKey each([&](const KeyInfo& info, KeyType type, const Value&) -> EachKey::Answer {
-    const std::string name = info.name;
+    const std::string name(info.name);
     const auto get = [name, part](const Scene& scene) {
       Value found;
       EachKey look([&](const KeyInfo& key, KeyType, const Value& value) -> EachKey::Answer {

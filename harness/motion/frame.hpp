@@ -17,10 +17,10 @@ struct Frame {
   Vector3 velocity = Vector3::Zero();  ///< c [m/s]
 
   void keys(auto& key) {
-    key({"angle", "angle by which body and motion are rotated against the grid, about E_z [rad]"}, angle);
-    key({"spin", "angular velocity w: the whole motion rotates by a further angle w t [rad/s]"}, spin);
+    key("angle", "angle by which body and motion are rotated against the grid, about E_z [rad]", angle);
+    key("spin", "angular velocity w: the whole motion rotates by a further angle w t [rad/s]", spin);
     std::array<double, 2> in_plane{velocity.x(), velocity.y()};
-    if (key({"velocity", "velocity of the whole motion [m/s]"}, in_plane)) velocity << in_plane[0], in_plane[1], 0;
+    if (key("velocity", "velocity of the whole motion [m/s]", in_plane)) velocity << in_plane[0], in_plane[1], 0;
   }
 
   bool moves() const { return spin != 0 || velocity != Vector3::Zero(); }

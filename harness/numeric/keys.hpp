@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a scene can tell a struct: keys with their values. A struct names its keys once, beside its members,
 //
-//   void keys(auto& key) { key({"spacing", "node spacing h [m]", {.range = positive, .required = true}}, spacing); }
+//   void keys(auto& key) { key("spacing", "node spacing h [m]", spacing, {.range = positive, .required = true}); }
 //
 // and a scene is read, written, described and checked by visitors of them.
 #pragma once
@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -26,11 +27,9 @@ using KeyValue = std::variant<std::monostate, bool, double, std::string, std::ve
 /// automatic: a number, or the word "auto", which is what stands where nothing is given.
 enum class KeyType { number, automatic, boolean, text, choice, pair, vector, matrix };
 
-/// What is said of a key beside its value. Keys of one name under one section are one key, with one text.
-struct KeyInfo {
+/// What is said of a key beside name, text and value.
+struct KeyRules {
   using Words = std::vector<std::string> (*)();
-  const char* name;                           ///< under its section: "amplitude.peak"
-  const char* doc;                            ///< one line, with the unit
   Range range = {};                           ///< of a number, or of each in a list
   std::span<const char* const> choices = {};  ///< of a word; empty: all names of the enumeration
   bool required = false;
@@ -38,6 +37,12 @@ struct KeyInfo {
   const char* derived = "";                    ///< how the default follows from other keys; empty: it is a constant
   Words motions = nullptr, domains = nullptr;  ///< motion.type and body.domain for which it exists; null: all
   bool shown = true;                           ///< in a scene that is written in full, where it has a value
+};
+
+/// Keys of one name under one section are one key, with one text.
+struct KeyInfo : KeyRules {
+  std::string_view name;  ///< under its section: "amplitude.peak"
+  std::string_view doc;   ///< one line, with the unit
 };
 
 template <class Member>
@@ -109,8 +114,9 @@ class Keys {
 
   /// Shows a key with the value that it has, and returns whether it was given another one.
   template <class Member>
-  bool operator()(KeyInfo key, Member& member) {
+  bool operator()(const char* name, const char* doc, Member& member, const KeyRules& rules = {}) {
     using Kept = typename Optional<Member>::Kept;
+    KeyInfo key{rules, name, doc};
     if constexpr (std::is_enum_v<Kept>) {
       static constexpr auto names = names_of(Kept{});
       if (key.choices.empty()) key.choices = names;

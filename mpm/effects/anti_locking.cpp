@@ -149,10 +149,11 @@ EffectRecord<Dim> anti_locking_effect() {
   EffectRecord<Dim> effect{200, "the stress is computed with J averaged over cells or nodes", "remedies.anti_locking"};
   effect.called_for = [](const Setup<Dim>& s) { return option<AntiLocking>(s) != AntiLocking::none; };
   effect.keys = [](EffectOptions& options, Keys& key) {
-    key({"remedies.anti_locking",
-         "F-bar: the stress uses J averaged over cells or nodes, for nearly incompressible materials"},
+    key("remedies.anti_locking",
+        "F-bar: the stress uses J averaged over cells or nodes, for nearly incompressible materials",
         options.tell<AntiLocking>());
   };
+  effect.example = "cell";
   effect.refusal = [](const Method& method, const EffectOptions&) -> std::string {
     if (!method.has_stages()) return {};
     return "forces of symplectic_rkn4 follow from positions, and an average from the way there: take leapfrog";

@@ -73,13 +73,11 @@ EffectRecord<Dim> artificial_viscosity_effect() {
   effect.called_for = [](const Setup<Dim>& s) { return option<ArtificialViscosity>(s).acts(); };
   effect.keys = [](EffectOptions& options, Keys& key) {
     auto& own = options.tell<ArtificialViscosity>();
-    key({.name = "remedies.artificial_viscosity",
-         .doc = "C1, C2 of the pressure rho h (C1 c + C2 h dV) dV in compression; dV is the rate of volume loss",
-         .range = {.lower = 0, .upper = 100},
-         .derived = "none",
-         .shown = own.acts()},
-        own.C);
+    key("remedies.artificial_viscosity",
+        "C1, C2 of the pressure rho h (C1 c + C2 h dV) dV in compression; dV is the rate of volume loss", own.C,
+        {.range = {.lower = 0, .upper = 100}, .derived = "none", .shown = own.acts()});
   };
+  effect.example = "[0.1, 1.5]";
   effect.refusal = [](const Method& method, const EffectOptions&) -> std::string {
     if (!method.has_stages()) return {};
     return "takes energy, which symplectic_rkn4 keeps: take leapfrog or symplectic_euler";

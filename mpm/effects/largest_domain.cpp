@@ -82,13 +82,10 @@ EffectRecord<Dim> largest_domain_effect() {
   effect.called_for = [](const Setup<Dim>& s) { return Dim == 2 && option<LargestDomain>(s).cells > 0; };
   effect.keys = [](EffectOptions& options, Keys& key) {
     double& cells = options.tell<LargestDomain>().cells;
-    key({.name = "remedies.largest_domain",
-         .doc = "largest distance of a corner of a cpdi or cpdi2 domain from its particle [cells]",
-         .range = {.lower = 0.1, .upper = 1e6},
-         .derived = "as they deform",
-         .shown = cells > 0},
-        cells);
+    key("remedies.largest_domain", "largest distance of a corner of a cpdi or cpdi2 domain from its particle [cells]",
+        cells, {.range = {.lower = 0.1, .upper = 1e6}, .derived = "as they deform", .shown = cells > 0});
   };
+  effect.example = "0.5";
   effect.refusal = [](const Method& method, const EffectOptions&) -> std::string {
     if (!method.is_total() && (method.basis == Basis::cpdi || method.basis == Basis::cpdi2)) return {};
     return "is of domains that deform with their particle: of cpdi and cpdi2 in the updated formulation";

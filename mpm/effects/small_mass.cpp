@@ -50,13 +50,11 @@ EffectRecord<Dim> small_mass_effect() {
   effect.called_for = [](const Setup<Dim>& s) { return option<SmallMass>(s).least > 0; };
   effect.keys = [](EffectOptions& options, Keys& key) {
     auto& own = options.tell<SmallMass>();
-    key({.name = "remedies.small_mass",
-         .doc = "nodes lighter than this receive less force, in proportion to their mass [rho0 h^2]",
-         .range = {.lower = 0, .upper = 1, .lower_open = true},
-         .derived = "all forces",
-         .shown = own.least > 0},
-        own.least);
+    key("remedies.small_mass", "nodes lighter than this receive less force, in proportion to their mass [rho0 h^2]",
+        own.least,
+        {.range = {.lower = 0, .upper = 1, .lower_open = true}, .derived = "all forces", .shown = own.least > 0});
   };
+  effect.example = "0.1";
   effect.refusal = [](const Method& method, const EffectOptions&) -> std::string {
     if (method.is_lumped()) return {};
     return "looks at the mass of single nodes, and the mass matrix couples them: take mass: lumped";

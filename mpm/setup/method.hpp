@@ -64,34 +64,22 @@ struct Method {
   double flip = 1;
 
   void keys(auto& key) {
-    key({"basis", "grid basis: linear, uGIMP, cpGIMP, CPDI (R4), CPDI2 (Q4), B-splines of degree 2, 3 and 4"}, basis);
-    key({"formulation",
-         "configuration of basis functions and force integration: current (updated) or reference (total)"},
+    key("basis", "grid basis: linear, uGIMP, cpGIMP, CPDI (R4), CPDI2 (Q4), B-splines of degree 2, 3 and 4", basis);
+    key("formulation", "configuration of basis functions and force integration: current (updated) or reference (total)",
         formulation);
-    key({"transfer", "how the grid updates the velocities of the particles"}, transfer);
-    key({.name = "affine",
-         .doc = "what apic and aflip carry: the velocity gradient (exact) or its moment (angular momentum)",
-         .derived = "gradient",
-         .shown = is_affine()},
-        affine);
-    key({.name = "flip",
-         .doc = "share of the particle's own velocity in flip and aflip; the rest comes from the grid",
-         .range = {.lower = 0, .upper = 1},
-         .derived = "1",
-         .shown = keeps_velocity()},
-        flip);
-    key({"update", "when the stress is updated: first, last, or last with velocities mapped again from the particles"},
+    key("transfer", "how the grid updates the velocities of the particles", transfer);
+    key("affine", "what apic and aflip carry: the velocity gradient (exact) or its moment (angular momentum)", affine,
+        {.derived = "gradient", .shown = is_affine()});
+    key("flip", "share of the particle's own velocity in flip and aflip; the rest comes from the grid", flip,
+        {.range = {.lower = 0, .upper = 1}, .derived = "1", .shown = keeps_velocity()});
+    key("update", "when the stress is updated: first, last, or last with velocities mapped again from the particles",
         update);
-    key({"integrator",
-         "order 1 (symplectic_euler), 2 (leapfrog, velocities at half steps) or 4 (four force evaluations a step)"},
+    key("integrator",
+        "order 1 (symplectic_euler), 2 (leapfrog, velocities at half steps) or 4 (four force evaluations a step)",
         integrator);
-    key({"mass", "mass matrix: lumped by row sums, a series for its inverse, or the full matrix"}, mass);
-    key({.name = "terms",
-         .doc = "number of terms k of the mass series, of xpic and of fmpm",
-         .range = {.lower = 1, .upper = 100, .whole = true},
-         .derived = "2",
-         .shown = has_terms()},
-        terms);
+    key("mass", "mass matrix: lumped by row sums, a series for its inverse, or the full matrix", mass);
+    key("terms", "number of terms k of the mass series, of xpic and of fmpm", terms,
+        {.range = {.lower = 1, .upper = 100, .whole = true}, .derived = "2", .shown = has_terms()});
   }
 
   bool is_total() const { return formulation == Formulation::total; }

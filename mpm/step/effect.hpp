@@ -53,6 +53,7 @@ struct EffectRecord {
   /// Shows `key` where it is the effect's own: a scene then has it. Its value is kept in the options, as a type of the
   /// effect's with linkage, which says in its first state that the effect is absent.
   void (*keys)(EffectOptions&, Keys&) = nullptr;
+  std::string example{};  ///< of the key's value, as YAML: with it the effect is there, without it is not
   /// Why the method has no place for an effect with such options; empty: it has.
   std::string (*refusal)(const Method&, const EffectOptions&) = nullptr;
   std::string (*in_title)(const EffectOptions&) = nullptr;  ///< of a run that has it: "small masses"; null: not named

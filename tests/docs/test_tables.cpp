@@ -12,6 +12,7 @@
 
 #include "tests/docs/snippets.hpp"
 #include "tests/house/tree.hpp"
+#include "tests/support/renewal.hpp"
 
 namespace assay::test_tables {
 namespace {
@@ -121,9 +122,9 @@ std::string table_of_keys() {
 }
 
 TEST(Tables, SceneKeysAreThoseOfTheSchema) {
-  const std::string page = house::text_of("docs/scenes.md"), table = table_of_keys();
+  const std::string table = table_of_keys();
   ASSERT_GT(house::lines_of(table).size(), 30u);
-  EXPECT_NE(page.find(table), page.npos) << "docs/scenes.md is to hold this table:\n" << table;
+  expect_table("docs/scenes.md", "| Key | Value |", table);
 }
 
 Json effects() {
@@ -138,9 +139,7 @@ TEST(Tables, EffectsAreThoseOfTheProgram) {
     table += "| " + effect["name"].get<std::string>() + " | " + key + " | " + effect["doc"].get<std::string>() + " |\n";
   }
   ASSERT_GT(house::lines_of(table).size(), 20u);
-  EXPECT_NE(house::text_of("docs/effects.md").find(table), std::string::npos)
-      << "docs/effects.md is to hold this table:\n"
-      << table;
+  expect_table("docs/effects.md", "| effect | key | what it is |", table);
 }
 
 // A row of what `./dev bench` has measured for each effect that a scene can call for.
@@ -240,6 +239,14 @@ TEST(Tables, ResultsOfTabulateAndEvalAreExplained) {
   expect_columns(
       house::run_assay("eval " + scene + in("space.csv") + " --set 'motion.final=[[1,0,0],[0,1,0.1],[0,0,1]]'").output,
       words);
+}
+
+TEST(Tables, AreRenewedInTheirPlace) {
+  const std::string page = "text\n\n| a | b |\n| --- | --- |\n| 1 | 2 |\n\nmore\n| other |\n";
+  EXPECT_EQ(with_table(page, "| a |", "| a | b |\n| 3 | 4 |\n"), "text\n\n| a | b |\n| 3 | 4 |\n\nmore\n| other |\n");
+  EXPECT_EQ(with_table(page, "text", "| x |\n"), page) << "a head begins a line behind the first";
+  EXPECT_EQ(with_table(page, "more", "| x |\n"), "text\n\n| a | b |\n| --- | --- |\n| 1 | 2 |\n\n| x |\n");
+  EXPECT_EQ(with_table(page, "none", "| x |\n"), page);
 }
 
 TEST(TablesNegativeControl, AKeyThatIsMissingIsSeen) {

@@ -7,6 +7,7 @@
 #include "drivers/result/result.hpp"
 #include "tests/house/tree.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/renewal.hpp"
 
 namespace assay::test_documents {
 namespace {
@@ -113,11 +114,8 @@ TEST(Documents, EverySceneBeginsWithTheLineForEditors) {
 }
 
 TEST(Documents, SchemasBesideTheScenesAreThoseOfTheProgram) {
-  const std::string again = " is out of date; make it anew: build/release/assay schema";
-  EXPECT_TRUE(text_of("configs/schema/scene.schema.json") == run_assay("schema").output)
-      << "configs/schema/scene.schema.json" << again << " > configs/schema/scene.schema.json";
-  EXPECT_TRUE(text_of("configs/schema/study.schema.json") == run_assay("schema --study").output)
-      << "configs/schema/study.schema.json" << again << " --study > configs/schema/study.schema.json";
+  expect_file("configs/schema/scene.schema.json", run_assay("schema").output);
+  expect_file("configs/schema/study.schema.json", run_assay("schema --study").output);
 }
 
 }  // namespace

@@ -59,8 +59,8 @@ class Names final : public Keys {
 
  protected:
   std::optional<KeyValue> meet(const KeyInfo& key, KeyType, const KeyValue&) override {
-    EXPECT_STRNE(key.doc, "") << key.name;
-    EXPECT_TRUE(names.insert(key.name).second) << key.name << " twice";
+    EXPECT_NE(key.doc, "") << key.name;
+    EXPECT_TRUE(names.insert(std::string(key.name)).second) << key.name << " twice";
     return std::nullopt;
   }
 };

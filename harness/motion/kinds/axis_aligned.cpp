@@ -105,11 +105,9 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
   void keys(Keys& keys) override {
     amplitude_keys(keys, m.amplitude);
     std::optional<double> speed = m.given_speed ? std::optional(m.wave_speed()) : std::nullopt;
-    if (keys({.name = "wave_speed",
-              .doc = "c, which sets T = 1/c [m/s]; auto: c = sqrt(E/rho0) with the material's parameter E",
-              .range = {.lower = AxisAligned::least_wave_speed, .upper = AxisAligned::most_wave_speed},
-              .automatic = true},
-             speed)) {
+    if (keys("wave_speed", "c, which sets T = 1/c [m/s]; auto: c = sqrt(E/rho0) with the material's parameter E", speed,
+             {.range = {.lower = AxisAligned::least_wave_speed, .upper = AxisAligned::most_wave_speed},
+              .automatic = true})) {
       m.amplitude.period = 1 / *speed;
       m.given_speed = true;
     }

@@ -150,7 +150,7 @@ class DeformationTableKind final : public MotionOf<DeformationTableKind, Deforma
   bool is_plane() const override { return m.plane(); }
   void keys(Keys& keys) override {
     double last = m.last();
-    keys(period_key, last);
+    period_key(keys, last);
   }
   std::optional<MotionFault> fault(const MotionUse& use) const override {
     if (use.gives("motion.final"))

@@ -58,11 +58,9 @@ class HomogeneousKind final : public MotionOf<HomogeneousKind, Homogeneous> {
     return F(0, 2) == 0 && F(1, 2) == 0 && F(2, 0) == 0 && F(2, 1) == 0 && F(2, 2) == 1;
   }
   void keys(Keys& keys) override {
-    keys({.name = "final",
-          .doc = "deformation gradient at t = motion.period, det F > 0 [1]",
-          .derived = "none: required unless path is given"},
-         m.final);
-    keys(period_key, m.period);
+    keys("final", "deformation gradient at t = motion.period, det F > 0 [1]", m.final,
+         {.derived = "none: required unless path is given"});
+    period_key(keys, m.period);
   }
 
   /// det F > 0 all along the straight path: checked at many times, to the scene's end.

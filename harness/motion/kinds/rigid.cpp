@@ -62,10 +62,10 @@ class RigidKind final : public MotionOf<RigidKind, Rigid> {
     return m.spin != 0 ? "a body that spins does not repeat" : "";
   }
   void keys(Keys& keys) override {
-    keys(period_key, m.period);
-    keys({"velocity", "velocity of the whole body [m/s]"}, m.velocity);
-    keys({"spin", "angular velocity of the whole body about the axis through the origin [rad/s]"}, m.spin);
-    keys(axis_key, m.axis);
+    period_key(keys, m.period);
+    keys("velocity", "velocity of the whole body [m/s]", m.velocity);
+    keys("spin", "angular velocity of the whole body about the axis through the origin [rad/s]", m.spin);
+    axis_key(keys, m.axis);
   }
   std::optional<MotionFault> fault(const MotionUse&) const override { return fault_of_axis(m.axis); }
 };

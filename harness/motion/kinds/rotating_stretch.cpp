@@ -113,16 +113,13 @@ class RotatingStretchKind final : public MotionOf<RotatingStretchKind, RotatingS
   }
   bool is_spatial() const override { return true; }
   void keys(Keys& keys) override {
-    keys(period_key, m.period);
-    keys({.name = "stretch",
-          .doc = "a: the stretch along E1 is 1 + a sin^2(pi t/T), or 1 + a q(2 t/T) with rotate: after [1]",
-          .range = {.lower = -1, .lower_open = true},
-          .required = true},
-         m.stretch);
-    keys({"shear", "k of the shear U12 = k (U11 - 1)/a [1]"}, m.shear);
-    keys({"rotation", "total angle of rotation beta [rad]"}, m.rotation);
-    keys(axis_key, m.axis);
-    keys({"rotate", "when the body rotates: never (none), while it stretches (simultaneous) or afterwards (after)"},
+    period_key(keys, m.period);
+    keys("stretch", "a: the stretch along E1 is 1 + a sin^2(pi t/T), or 1 + a q(2 t/T) with rotate: after [1]",
+         m.stretch, {.range = {.lower = -1, .lower_open = true}, .required = true});
+    keys("shear", "k of the shear U12 = k (U11 - 1)/a [1]", m.shear);
+    keys("rotation", "total angle of rotation beta [rad]", m.rotation);
+    axis_key(keys, m.axis);
+    keys("rotate", "when the body rotates: never (none), while it stretches (simultaneous) or afterwards (after)",
          m.rotate);
   }
   std::optional<MotionFault> fault(const MotionUse&) const override { return fault_of_axis(m.axis); }

@@ -68,10 +68,8 @@ class TwistingRingKind final : public MotionOf<TwistingRingKind, TwistingRing>, 
 
   void keys(Keys& keys) override {
     ring_keys(keys, m.twist);
-    keys({.name = "expansion",
-          .doc = "e: radii change by e sin(pi t/T) U(R), with U = 1 at the outer radius [m]",
-          .required = true},
-         m.expansion);
+    keys("expansion", "e: radii change by e sin(pi t/T) U(R), with U = 1 at the outer radius [m]", m.expansion,
+         {.required = true});
     amplitude_keys(keys, m.twist.amplitude);
   }
   std::optional<MotionFault> fault(const MotionUse&) const override {

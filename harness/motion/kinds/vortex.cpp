@@ -154,13 +154,11 @@ class VortexKind final : public MotionOf<VortexKind, Vortex>, public PolarMotion
 std::unique_ptr<MotionKind> kind_of(const Vortex& motion) { return std::make_unique<VortexKind>(motion); }
 
 void ring_keys(Keys& keys, Vortex& m) {
-  keys({"inner", "inner radius ri of the ring [m]", positive}, m.inner);
-  keys({"outer", "outer radius ro of the ring [m]", positive}, m.outer);
-  keys(period_key, m.amplitude.period);
-  keys({"profile_power",
-        "m of the profile h = (1 - s^2)^m; m = 1 is excluded: the ring's faces would need tractions",
-        {.lower = 2, .upper = 64, .whole = true}},
-       m.profile_power);
+  keys("inner", "inner radius ri of the ring [m]", m.inner, {.range = positive});
+  keys("outer", "outer radius ro of the ring [m]", m.outer, {.range = positive});
+  period_key(keys, m.amplitude.period);
+  keys("profile_power", "m of the profile h = (1 - s^2)^m; m = 1 is excluded: the ring's faces would need tractions",
+       m.profile_power, {.range = {.lower = 2, .upper = 64, .whole = true}});
 }
 
 std::optional<MotionFault> fault_of_radii(const Annulus& ring) {

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "drivers/result/result_json.hpp"
 #include "drivers/system/input_file.hpp"
+#include "tests/support/renewal.hpp"
 
 namespace assay::drivers::test_result_fields {
 namespace {
@@ -93,8 +95,29 @@ std::string row_of(const Field& field) {
   return "| `" + field.key + "` | " + field.unit + " | " + meaning + " |";
 }
 
+/// The page with a row for each figure: one that is missing stands behind that of the figure before it.
+std::string with_rows(std::string page) {
+  std::string before;
+  for (const Field& field : result_fields()) {
+    const std::string row = "\n" + row_of(field), key = "\n| `" + field.key + "` |";
+    if (const std::size_t own = page.find(key); own != page.npos) {
+      page.replace(own, page.find('\n', own + 1) - own, row);
+    } else if (!before.empty()) {
+      page.insert(page.find('\n', page.find(before) + 1), row);
+    }
+    before = key;
+  }
+  return page;
+}
+
 TEST(ResultFields, AreTheTablesOfThePage) {
-  const std::string page = read_bytes(ASSAY_SOURCE_DIR "/docs/results.md");
+  const char* const path = ASSAY_SOURCE_DIR "/docs/results.md";
+  if (renews()) {
+    const std::string renewed = with_rows(read_bytes(path));
+    std::ofstream(path, std::ios::binary) << renewed;
+  }
+  const std::string page = read_bytes(path);
+  EXPECT_EQ(with_rows(page), page) << "./dev renew writes these rows";
   const std::size_t begin = page.find("\n## result.json"), end = page.find("\n## ", begin + 1);
   ASSERT_LT(begin, end);
   std::istringstream section(page.substr(begin, end - begin));

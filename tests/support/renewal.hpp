@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What files of the tree hold of what the program says. `./dev renew` sets ASSAY_RENEW: then a test writes the file
+// before it compares.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace assay {
+
+inline bool renews() { return std::getenv("ASSAY_RENEW") != nullptr; }
+
+inline std::string text_of_tree(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(ASSAY_SOURCE_DIR "/" + path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// The file, path from the root, is `text`.
+inline void expect_file(const std::string& path, const std::string& text) {
+  if (renews()) std::ofstream(ASSAY_SOURCE_DIR "/" + path, std::ios::binary) << text;
+  EXPECT_TRUE(text_of_tree(path) == text) << path << " is out of date: ./dev renew writes it anew";
+}
+
+/// The page with `text` in place of what begins with `head` at a line and ends with the next table; as it is where it
+/// has no such head.
+inline std::string with_table(const std::string& page, const std::string& head, const std::string& text) {
+  const std::size_t begin = page.find("\n" + head) + 1, table = begin == 0 ? page.npos : page.find("\n| ", begin - 1);
+  if (table == page.npos) return page;
+  std::size_t end = table + 1;
+  while (page.compare(end, 1, "|") == 0) end = page.find('\n', end) + 1;
+  return page.substr(0, begin) + text + page.substr(end);
+}
+
+/// The page has this text, which ends with a table; `head` is what its first line begins with on the page.
+inline void expect_table(const std::string& path, const std::string& head, const std::string& text) {
+  const std::string page = text_of_tree(path);
+  if (renews()) std::ofstream(ASSAY_SOURCE_DIR "/" + path, std::ios::binary) << with_table(page, head, text);
+  EXPECT_NE(text_of_tree(path).find(text), std::string::npos) << path << " is to hold this (./dev renew):\n" << text;
+}
+
+}  // namespace assay
