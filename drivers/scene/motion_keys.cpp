@@ -58,8 +58,8 @@ void set_motion(Scene& s, const Value& v) {
 
 Key key_of_type() {
   const auto get = [](const Scene& s) { return Value(motion_type(s)); };
-  Key key = key_row("motion", {{.required = true}, "type", "which manufactured motion the body follows"},
-                    KeyType::choice, get, set_motion);
+  Key key = key_row("motion.type", "which manufactured motion the body follows", KeyType::choice, {.required = true},
+                    get, set_motion);
   key.choices = types_of([](const Motion&) { return true; });
   return key;
 }
@@ -80,20 +80,17 @@ std::vector<Key> keys_of_table() {
   };
   static constexpr auto interpolations = names_of(Interpolation{});
   const auto of_table = [] { return std::vector<std::string>{"homogeneous"}; };
-  return {key_row("motion",
-                  {.name = "path",
-                   .doc = "CSV file of F(t), in place of motion.final; columns t, F11, F12, F21, F22, others optional",
-                   .derived = "none: F goes straight to final",
-                   .motions = of_table},
-                  KeyType::text, path,
+  return {key_row("motion.path",
+                  "CSV file of F(t), in place of motion.final; columns t, F11, F12, F21, F22, others optional",
+                  KeyType::text, {.derived = "none: F goes straight to final", .motions = of_table}, path,
                   [](Scene& s, const Value& v) { s.motion = DeformationTable(std::get<std::string>(v)); }),
-          key_row("motion",
-                  {.name = "interpolation",
-                   .doc = "F between the rows of motion.path: straight lines, PCHIP (no overshoot) or a cubic spline",
-                   .choices = interpolations,
+          key_row("motion.interpolation",
+                  "F between the rows of motion.path: straight lines, PCHIP (no overshoot) or a cubic spline",
+                  KeyType::choice,
+                  {.choices = interpolations,
                    .derived = "linear for tabulate, monotone for what needs a body force",
                    .motions = of_table},
-                  KeyType::choice, interpolation, interpolate)};
+                  interpolation, interpolate)};
 }
 
 }  // namespace

@@ -76,17 +76,17 @@ void show(mpm::EffectOptions& options, Keys& visitor) {
   }
 }
 
-Key key_row(const std::string& section, const KeyInfo& info, KeyType type, Get get, Set set) {
-  const auto words = [](KeyInfo::Words list) { return list ? list() : std::vector<std::string>(); };
-  return {.path = key_path(section, std::string(info.name)),
+Key key_row(const std::string& path, std::string_view doc, KeyType type, const KeyRules& rules, Get get, Set set) {
+  const auto words = [](KeyRules::Words list) { return list ? list() : std::vector<std::string>(); };
+  return {.path = path,
           .type = type,
-          .doc = std::string(info.doc),
-          .range = info.range,
-          .choices = {info.choices.begin(), info.choices.end()},
-          .required = info.required,
-          .derived = info.derived,
-          .motions = words(info.motions),
-          .domains = words(info.domains),
+          .doc = std::string(doc),
+          .range = rules.range,
+          .choices = {rules.choices.begin(), rules.choices.end()},
+          .required = rules.required,
+          .derived = rules.derived,
+          .motions = words(rules.motions),
+          .domains = words(rules.domains),
           .get = std::move(get),
           .set = std::move(set)};
 }

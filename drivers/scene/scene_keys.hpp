@@ -74,8 +74,7 @@ class EachKey final : public Keys {
 using Get = std::function<Value(const Scene&)>;
 using Set = std::function<void(Scene&, const Value&)>;
 
-/// The row of a key in a section ("" is the top).
-Key key_row(const std::string& section, const KeyInfo& info, KeyType type, Get get, Set set);
+Key key_row(const std::string& path, std::string_view doc, KeyType type, const KeyRules& rules, Get get, Set set);
 
 // A part of a scene shows its keys.
 void show(auto& part, Keys& visitor) { part.keys(visitor); }
@@ -107,7 +106,7 @@ std::vector<Key> keys_of(const std::string& section, auto sample, auto part) {
       });
       show(part(scene), give);
     };
-    keys.push_back(key_row(section, info, type, get, set));
+    keys.push_back(key_row(key_path(section, name), info.doc, type, info, get, set));
     return std::nullopt;
   });
   show(sample, each);
