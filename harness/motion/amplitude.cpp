@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/motion/motion_keys.hpp"
+
 namespace assay {
 
 using std::numbers::pi;
@@ -45,6 +47,16 @@ std::vector<double> Amplitude::reversals(double end) const {
     times.push_back(first + static_cast<double>(k) * spacing);
   }
   return times;
+}
+
+void amplitude_keys(MotionKeys& keys, Amplitude& amplitude) {
+  keys.choice({"amplitude.type",
+               "sine: A sin(pi t/T); one_minus_cosine: A (1 - cos(2 pi t/T))/2; ramp: A t/T to T; unit box: sine only"},
+              Amplitude::type_words, amplitude.type);
+  keys.number({.name = "amplitude.peak",
+               .doc = "A: peak angle of a ring [rad]; in the unit box, peak displacement, less than 1/pi [m]",
+               .derived = "1 of a ring, 0.1 in the unit box"},
+              amplitude.peak);
 }
 
 }  // namespace assay

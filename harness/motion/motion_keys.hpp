@@ -54,7 +54,10 @@ struct MotionFault {
 };
 
 /// Whether motion.axis is zero.
-std::optional<MotionFault> fault_of_axis(const Vector3& axis);
+inline std::optional<MotionFault> fault_of_axis(const Vector3& axis) {
+  if (axis != Vector3::Zero()) return std::nullopt;
+  return MotionFault{"motion.axis", "must not be zero"};
+}
 
 /// motion.amplitude.type and motion.amplitude.peak.
 void amplitude_keys(MotionKeys& keys, Amplitude& amplitude);

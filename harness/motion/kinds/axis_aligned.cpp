@@ -23,6 +23,7 @@ AmplitudeValue strain(const Amplitude& amplitude, double t) {
 struct Section {
   AxisAligned motion;
   double cosine_of_Y = 1;
+  Path baseline() const { return motion.section(cosine_of_Y); }
 };
 
 void fields(auto& archive, Section& s) { archive(s.motion, s.cosine_of_Y); }
@@ -134,13 +135,9 @@ std::unique_ptr<MotionKind> kind_of(const AxisAligned& motion) { return std::mak
 
 void register_axis_aligned(MotionRegistry& registry) {
   const Amplitude amplitude{Amplitude::Type::sine, usual_peak, 1};
-  registry.motion(4, AxisAligned{amplitude, false, false});
-  registry.motion(5, AxisAligned{amplitude, true, false});
-  registry.path("axis_aligned", [](NumberReader& numbers) {
-    Section section;
-    numbers(section);
-    return section.motion.section(section.cosine_of_Y);
-  });
+  registry.motion(AxisAligned{amplitude, false, false}, 4);
+  registry.motion(AxisAligned{amplitude, true, false}, 5);
+  registry.path<Section>("axis_aligned");
 }
 
 }  // namespace assay

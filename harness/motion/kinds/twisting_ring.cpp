@@ -99,7 +99,7 @@ class TwistingRingKind final : public MotionOf<TwistingRingKind, TwistingRing>, 
 std::unique_ptr<MotionKind> kind_of(const TwistingRing& motion) { return std::make_unique<TwistingRingKind>(motion); }
 
 void register_twisting_ring(MotionRegistry& registry) {
-  registry.motion(3, TwistingRing{});
+  registry.motion(TwistingRing{}, 3);
   registry.path<TwistingRing>("twisting_ring");
 }
 

@@ -170,7 +170,7 @@ std::optional<MotionFault> fault_of_radii(const Annulus& ring) {
 }
 
 void register_vortex(MotionRegistry& registry) {
-  registry.motion(1, Vortex{});
+  registry.motion(Vortex{}, 1);
   registry.path<Vortex>("vortex");
 }
 

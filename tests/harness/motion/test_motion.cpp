@@ -7,11 +7,12 @@
 #include "harness/motion/kinds/rotating_stretch.hpp"
 #include "harness/motion/kinds/twisting_ring.hpp"
 #include "harness/motion/kinds/vortex.hpp"
-#include "harness/motion/motion.hpp"
+#include "harness/motion/registry.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 namespace assay::test_motion {
 namespace {
@@ -27,7 +28,8 @@ Vortex sample_vortex() {
   return vortex;
 }
 
-std::vector<std::pair<const char*, Motion>> motions() {
+/// Values that samples of motions do not have.
+std::vector<std::pair<std::string, Motion>> chosen() {
   Homogeneous homogeneous;
   homogeneous.final << 1.4, 0.2, 0.1, -0.3, 0.8, 0, 0.05, 0, 1.1;
   RotatingStretch stretch;
@@ -49,6 +51,52 @@ std::vector<std::pair<const char*, Motion>> motions() {
           {"axis_aligned", box},
           {"bar_1d", bar},
           {"rigid", Rigid{{0.4, -0.3, 0.2}, 1.7, {1, 2, 3}, 1}}};
+}
+
+/// Gives every key another value where its range allows one: most motions stand still as they are registered.
+class OtherValues final : public MotionKeys {
+ public:
+  bool number(const MotionKey& key, double& value) override {
+    return take(key, value, value == 0 ? 0.3 : 1.1 * value, key.range.holds(value == 0 ? 0.3 : 1.1 * value));
+  }
+  bool whole(const MotionKey& key, int& value) override {
+    return take(key, value, value + 1, key.range.holds(value + 1));
+  }
+  bool number_or_auto(const MotionKey&, std::optional<double>&) override { return false; }
+  bool word(const MotionKey&, std::span<const char* const>, int&) override { return false; }
+  bool vector(const MotionKey& key, Vector3& value) override {
+    return take(key, value, Vector3(value + Vector3(0.3, -0.2, 0.4)), true);
+  }
+  bool tensor(const MotionKey& key, Tensor& value) override {
+    Tensor other;
+    other << 1.3, 0.1, 0.2, -0.2, 0.9, 0, 0.1, 0, 1.2;
+    return take(key, value, other, true);
+  }
+  MotionUse use() const {
+    return {.gives = [given = given_](const std::string& key) { return given.contains(key); }};
+  }
+
+ private:
+  template <class T>
+  bool take(const MotionKey& key, T& value, const T& other, bool allowed) {
+    if (!allowed) return false;
+    value = other;
+    given_.insert("motion." + std::string(key.name));
+    return true;
+  }
+  std::set<std::string> given_;
+};
+
+/// Every motion that there is, so a new one needs no word here; and the chosen ones.
+std::vector<std::pair<std::string, Motion>> motions() {
+  std::vector<std::pair<std::string, Motion>> all = chosen();
+  for (const Motion& sample : motion_registry().samples()) {
+    Motion other = sample;
+    OtherValues values;
+    other->keys(values);
+    all.emplace_back("registered " + std::string(sample->type()), other->fault(values.use()) ? sample : other);
+  }
+  return all;
 }
 
 const std::vector<Vector3> places{{0.8, 0.31, 0.2}, {-0.53, 0.77, -0.4}, {0.6, -0.75, 0}};
@@ -104,9 +152,7 @@ TEST(Motion, BaselineStretchesAsTheMotionDoes) {
     const Vector3& X = places[1];
     for (const double t : times) {
       const double R = std::hypot(X.x(), X.y());
-      double parameter = 1;
-      if (const auto* vortex = motion.as<Vortex>()) parameter = vortex->profile(R).xi;
-      if (motion.as<TwistingRing>()) parameter = R;
+      double parameter = ring_of(motion) ? ring_parameter(motion, R).value : motion->own_parameter();
       Path path = motion->baseline();
       if (const auto* box = motion.as<AxisAligned>()) {
         parameter = std::cos(M_PI * X.x());
@@ -123,12 +169,13 @@ TEST(Motion, BaselineStretchesAsTheMotionDoes) {
 }
 
 TEST(Motion, KnowsWhatItHas) {
-  for (const auto& [name, motion] : motions()) {
-    const std::string who = name;
+  for (const auto& [who, motion] : chosen()) {
     EXPECT_EQ(ring_of(motion).has_value(), who == "vortex" || who == "twisting_ring") << who;
     EXPECT_EQ(motion->amplitude() != nullptr,
               who == "vortex" || who == "twisting_ring" || who == "axis_aligned" || who == "bar_1d")
         << who;
+  }
+  for (const auto& [who, motion] : motions()) {
     EXPECT_GT(motion->period(), 0) << who;
     const Tensor here = motion->at(places[0], 0.4).F, there = motion->at(places[1], 0.4).F;
     EXPECT_EQ(motion->is_homogeneous(), here == there) << who;
