@@ -78,8 +78,7 @@ std::vector<Key> body_keys() {
 
 std::vector<Key> method_keys() {
   return {
-      key("method.basis", "grid basis: linear, uGIMP, cpGIMP, CPDI (R4), CPDI2 (Q4), B-splines of degree 2, 3 and 4",
-          ASSAY_IN(method, basis)),
+      key("method.basis", "grid basis: " + mpm::bases_in_words(), ASSAY_IN(method, basis)),
       key("method.formulation",
           "configuration of basis functions and force integration: current (updated) or reference (total)",
           ASSAY_IN(method, formulation)),

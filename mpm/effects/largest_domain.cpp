@@ -5,7 +5,6 @@
 #include "mpm/basis/corners.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/kernels/kernel_state.hpp"
-#include "mpm/setup/with_basis.hpp"
 #include "mpm/step/effect.hpp"
 
 namespace assay::mpm {

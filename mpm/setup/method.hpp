@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "mpm/basis/traits.hpp"
+
 namespace assay::mpm {
 
 /// The stress is that of F scaled to a volume ratio J averaged over cells, or over the functions of nodes (F-bar):
@@ -38,7 +40,12 @@ constexpr auto names_of(Basis) {
 #undef ASSAY_BASIS
   });
 }
-constexpr bool is_spline(Basis basis) { return basis >= Basis::bspline2 && basis <= Basis::bspline4; }
+template <int Dim>
+BasisTraits traits_of(Basis basis);
+/// In a list: "linear, uGIMP, cpGIMP, ...".
+std::string bases_in_words();
+/// Words of those that have a trait: "cpdi and cpdi2".
+std::string bases_that(bool BasisTraits::*trait, const std::string& and_or);
 
 /// Configuration in which weights are made and forces integrated: the current one, or that of the beginning.
 enum class Formulation { updated, total };
