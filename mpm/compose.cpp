@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/compose.hpp"
 #include "mpm/material/material_batch.hpp"
-#include "mpm/setup/with_basis.hpp"
 #include "mpm/step/passes.hpp"
 #include "mpm/step/run_kernels.hpp"
 

@@ -104,8 +104,7 @@ class SceneCheck {
       refuse_if(given(key) && !jittered, key, "belongs to lattice: jittered, but body.lattice has another value");
     if (lattice == Body::Lattice::gauss) check_gauss_lattice();
     if (!jittered || !scene_.method) return;
-    const auto basis = scene_.method->basis;
-    refuse_if(basis == mpm::Basis::cpdi || basis == mpm::Basis::cpdi2, "body.lattice",
+    refuse_if(mpm::traits_of<2>(scene_.method->basis).convects, "body.lattice",
               "particles of " + mpm::names_of(*scene_.method).basis +
                   " share the edges of their domains, which would overlap and leave gaps: take another basis");
   }
@@ -125,10 +124,10 @@ class SceneCheck {
                     " are no multiples of grid.spacing, " + number_text(h));
     }
     if (!scene_.method) return;
-    const auto basis = scene_.method->basis;
-    refuse_if(basis != mpm::Basis::linear && !mpm::is_spline(basis), "body.lattice",
+    refuse_if(!mpm::traits_of<2>(scene_.method->basis).at_points, "body.lattice",
               "Gauss points are not the centres of domains that fill their cell, which " +
-                  mpm::names_of(*scene_.method).basis + " needs: take linear, bspline2, bspline3 or bspline4");
+                  mpm::names_of(*scene_.method).basis + " needs: take " +
+                  mpm::bases_that(&mpm::BasisTraits::at_points, "or"));
   }
 
   void check_initial_velocity() const {

@@ -85,7 +85,7 @@ mpm::Seeds<2> still_seeds_of(const Scene& scene) {
   if (body.domain == Body::Domain::ring) {
     const double h = scene.grid->spacing;
     if (body.lattice == Body::Lattice::polar) {
-      return mpm::polar_lattice(*ring, h, body.per_cell, scene.method->basis == Method::Basis::cpdi2);
+      return mpm::polar_lattice(*ring, h, body.per_cell, mpm::traits_of<2>(scene.method->basis).moves_corners);
     }
     if (body.cut == Body::Cut::clipped) return mpm::clipped_lattice(*ring, h, body.per_cell);
   }
@@ -110,10 +110,7 @@ mpm::Seeds<2> seeds_of(const Scene& scene) {
     }
     mpm::disturb(seeds, scene.body.jitter, static_cast<std::uint64_t>(scene.body.seed), inside);
   }
-  if (turned) {
-    mpm::turn(seeds, scene.frame->angle,
-              scene.method->basis == Method::Basis::cpdi || scene.method->basis == Method::Basis::cpdi2);
-  }
+  if (turned) mpm::turn(seeds, scene.frame->angle, mpm::traits_of<2>(scene.method->basis).convects);
   return seeds;
 }
 

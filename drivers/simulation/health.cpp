@@ -7,7 +7,6 @@
 
 #include "drivers/text/numbers.hpp"
 #include "harness/numeric/largest.hpp"
-#include "mpm/setup/with_basis.hpp"
 
 namespace assay::drivers {
 
@@ -58,9 +57,8 @@ std::optional<double> slope_of(std::span<const Moment> points) {
 }  // namespace
 
 HealthWatch::HealthWatch(const Problem& problem, const mpm::State<2>& s) : problem_(&problem) {
-  const mpm::BasisTraits traits = mpm::traits_of<2>(problem.setup.method.basis);
-  convects_ =
-      !problem.setup.method.is_total() && (traits.moves_corners || problem.setup.method.basis == mpm::Basis::cpdi);
+  const mpm::Method& method = problem.setup.method;
+  convects_ = !method.is_total() && mpm::traits_of<2>(method.basis).convects;
   for (std::size_t p = 0; p < s.particles; ++p) mass_ += s.column(Column::mass)[p];
   reachable_ = std::sqrt(2 * scan(s).kinetic / mass_);
 }

@@ -16,7 +16,6 @@
 #include "mpm/patch/methods.hpp"
 #include "mpm/seeding/lattice.hpp"
 #include "mpm/seeding/seeds_on_grid.hpp"
-#include "mpm/setup/with_basis.hpp"
 
 namespace assay::drivers {
 

@@ -146,8 +146,8 @@ ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
   ParticleFrame frame;
   frame.caption = "t = " + rounded_text(t, 4) + " s";
   const mpm::Seeds<2>& seeds = problem_->setup.seeds;
-  const mpm::Basis basis = problem_->setup.method.basis;  // F is that of the edges, or of the diagonals
-  const bool convects = basis == mpm::Basis::cpdi || basis == mpm::Basis::cpdi2;
+  // F is that of the edges, or of the diagonals
+  const bool convects = mpm::traits_of<2>(problem_->setup.method.basis).convects;
   const double *x = s.column(Column::position, 0), *y = s.column(Column::position, 1);
   frame.x.assign(x, x + s.particles);
   frame.y.assign(y, y + s.particles);

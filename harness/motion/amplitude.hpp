@@ -21,6 +21,13 @@ struct Amplitude {
   double peak = 1;    ///< A [1]
   double period = 1;  ///< T [s]
 
+  void keys(auto& key) {
+    key("amplitude.type",
+        "sine: A sin(pi t/T); one_minus_cosine: A (1 - cos(2 pi t/T))/2; ramp: A t/T to T; unit box: sine only", type);
+    key("amplitude.peak", "A: peak angle of a ring [rad]; in the unit box, peak displacement, less than 1/pi [m]", peak,
+        {.derived = "1 of a ring, 0.1 in the unit box"});
+  }
+
   AmplitudeValue at(double t) const;
 
   /// Smallest and largest g from 0 to `end`; where g has not turned yet, the range of a whole period.

@@ -17,11 +17,18 @@ struct MotionFault {
 };
 
 /// Whether motion.axis is zero.
-std::optional<MotionFault> fault_of_axis(const Vector3& axis);
+inline std::optional<MotionFault> fault_of_axis(const Vector3& axis) {
+  if (axis != Vector3::Zero()) return std::nullopt;
+  return MotionFault{"motion.axis", "must not be zero"};
+}
 
-void period_key(Keys& keys, double& period);
-void axis_key(Keys& keys, Vector3& axis);
-/// motion.amplitude.type and motion.amplitude.peak.
-void amplitude_keys(Keys& keys, Amplitude& amplitude);
+inline void period_key(Keys& keys, double& period) {
+  keys("period", "time T of the motion [s]; with motion.path, T is the time of the last row", period,
+       {.range = positive});
+}
+
+inline void axis_key(Keys& keys, Vector3& axis) {
+  keys("axis", "axis of the rotation; need not be a unit vector", axis);
+}
 
 }  // namespace assay

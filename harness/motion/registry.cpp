@@ -13,11 +13,6 @@ std::vector<Motion> MotionRegistry::samples() const {
   return all;
 }
 
-MotionRegistry::PathMaker MotionRegistry::path_maker(const std::string& name) const {
-  const auto found = paths_.find(name);
-  return found == paths_.end() ? nullptr : found->second;
-}
-
 const MotionRegistry& motion_registry() {
   static const MotionRegistry all = [] {
     MotionRegistry registry;
@@ -33,8 +28,10 @@ Path path_of_recipe(std::span<const double> recipe) {
   NumberReader reader(recipe);
   std::string name;
   reader(name);
-  if (const auto maker = motion_registry().path_maker(name)) return maker(reader);
-  throw std::runtime_error("no recipe of a path");
+  const auto& makers = motion_registry().paths_;
+  const auto found = makers.find(name);
+  if (found == makers.end()) throw std::runtime_error("no recipe of a path");
+  return found->second(reader);
 }
 
 }  // namespace assay

@@ -27,30 +27,26 @@ Path path_of_recipe(std::span<const double> recipe);
 
 class MotionRegistry {
  public:
-  /// A motion as it is unless a scene says otherwise. order: among the words of `motion.type`.
-  void motion(int order, const Motion& sample) { samples_.emplace(order, sample); }
+  /// A motion as it is unless a scene says otherwise. order: among the words of `motion.type`, where it matters.
+  void motion(const Motion& sample, int order = last) { samples_.emplace(order, sample); }
 
-  /// Makes a path again from what `recipe(name, parts)` has written.
-  using PathMaker = Path (*)(NumberReader&);
-  void path(const std::string& name, PathMaker maker) { paths_[name] = maker; }
-
-  /// The baseline of a struct that has fields(archive).
+  /// Makes a path again of what `recipe(name, parts)` has written: the baseline of a struct that has fields(archive).
   template <class Struct>
   void path(const std::string& name) {
-    path(name, [](NumberReader& numbers) {
+    paths_[name] = [](NumberReader& numbers) {
       Struct motion;
       numbers(motion);
       return motion.baseline();
-    });
+    };
   }
 
   std::vector<Motion> samples() const;
-  /// Null where no motion has that name.
-  PathMaker path_maker(const std::string& name) const;
 
  private:
+  friend Path path_of_recipe(std::span<const double> recipe);
+  static constexpr int last = 100;
   std::multimap<int, Motion> samples_;
-  std::map<std::string, PathMaker> paths_;
+  std::map<std::string, Path (*)(NumberReader&)> paths_;
 };
 
 const MotionRegistry& motion_registry();

@@ -114,7 +114,7 @@ class Keys {
 
   /// Shows a key with the value that it has, and returns whether it was given another one.
   template <class Member>
-  bool operator()(const char* name, const char* doc, Member& member, const KeyRules& rules = {}) {
+  bool operator()(std::string_view name, std::string_view doc, Member& member, const KeyRules& rules = {}) {
     using Kept = typename Optional<Member>::Kept;
     KeyInfo key{rules, name, doc};
     if constexpr (std::is_enum_v<Kept>) {

@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mpm/basis/traits.hpp"
 #include "mpm/grid/grid_field.hpp"
 #include "mpm/grid/grid_geometry.hpp"
 
@@ -100,21 +101,27 @@ struct Locator {
     }
   }
 
-  /// Cell coordinates of x; zero and false outside the grid or where x is no number.
+  /// Cell coordinates of x; zero and false outside the grid or where x is no number. [WithEnd] Its end is inside, too.
+  template <bool WithEnd = false>
   ASSAY_INLINE bool inside(const Vec<Dim>& x, Vec<Dim>& along) const {
     bool good = true;
     for (std::size_t d = 0; d < Dim; ++d) {
       along[d] = x[d] * inverse_spacing - first[d];
-      good = good && along[d] >= 0 && along[d] < last_cell[d];
+      good = good && along[d] >= 0 && (WithEnd ? along[d] <= last_cell[d] : along[d] < last_cell[d]);
     }
     if (!good) along = {};
     return good;
   }
 };
 
+/// What all bases share. A basis says again what is otherwise with it.
 template <class Derived, int Dim>
-class OneParticle {
+class BasisOf {
  public:
+  static constexpr BasisTraits traits{};
+  static constexpr bool may_cross_edges = false;       ///< weights may reach over the grid's edge (SeparableBasis)
+  static constexpr std::size_t domain_components = 0;  ///< numbers that a reference domain of its own takes
+
   /// Adds w_i A + (0, B grad w_i) to each node i: A has K components, B acts on the last G.
   template <int K, int G>
   void scatter(std::size_t p, const std::array<double, K>& A, const std::array<double, G * Dim>& B,

@@ -16,19 +16,23 @@ class BsplineBasis : public SeparableBasis<BsplineBasis<Dim, Degree>, Dim, Degre
 
  public:
   static constexpr bool may_cross_edges = true;
+  static constexpr BasisTraits traits{
+      .name = Degree == 2   ? "quadratic B-spline"
+              : Degree == 3 ? "cubic B-spline"
+                            : "quartic B-spline",
+      .why_not_deformed =
+          "B-splines are evaluated at the particles, which are no accurate quadrature points if their "
+          "volumes differ",
+      .why_not_surface = Degree == 2
+                             ? ""
+                             : "two points a cell do not integrate cubic and quartic B-splines exactly, and this shows "
+                               "at a face, which cuts the splines off"};
 
   BsplineBasis(const GridGeometry<Dim>& grid, const Vec<Dim>&, std::size_t particles)
       : SeparableBasis<BsplineBasis, Dim, width>(grid, particles) {}
 
   ASSAY_INLINE bool place(std::size_t p, const Vec<Dim>& x, const Mat<Dim>&) {
-    Vec<Dim>& along = this->places_[p].along;
-    bool inside = true;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      along[d] = x[d] * this->locator_.inverse_spacing - this->locator_.first[d];
-      inside = inside && along[d] >= 0 && along[d] <= this->locator_.last_cell[d];
-    }
-    if (!inside) along = {};
-    return inside;
+    return this->locator_.template inside<true>(x, this->places_[p].along);
   }
 
   ASSAY_INLINE void line(std::size_t p, std::size_t d, double* value, double* slope, std::int32_t& first) const {

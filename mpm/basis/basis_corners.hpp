@@ -17,7 +17,7 @@ struct CornerWeights {
 
 /// Derived gives weights(p): CornerWeights.
 template <class Derived, int Dim>
-class CornerBasis : public OneParticle<Derived, Dim> {
+class CornerBasis : public BasisOf<Derived, Dim> {
  public:
   static constexpr int corners = 1 << Dim;
   static constexpr int nodes_across = 0;  ///< as its domain is large
@@ -111,8 +111,8 @@ class CornerBasis : public OneParticle<Derived, Dim> {
     found = {};
     ASSAY_UNROLLED
     for (std::size_t c = 0; c < corners; ++c) {
-      Pack<GridField<K>::stride> corner;
-      sum_at_corner<K>(nodes.cells[k], c, field, corner);
+      Pack<GridField<K>::stride> corner, upper[Dim];
+      sum_by_sides<K>(nodes.cells[k], c, field, corner, upper);
       add_corner<WithSlopes>(w, c, corner, found);
       visit(c, corner);
     }
@@ -211,14 +211,7 @@ class CornerBasis : public OneParticle<Derived, Dim> {
     for (std::size_t d = 0; WithSlopes && d < Dim; ++d) found.other[d] += w.gradient[d][c] * corner;
   }
 
-  template <int K>
-  ASSAY_INLINE void sum_at_corner(const Cells& cells, std::size_t c, const double* field,
-                                  Pack<GridField<K>::stride>& sum) const {
-    Pack<GridField<K>::stride> upper[Dim];
-    sum_by_sides<K>(cells, c, field, sum, upper);
-  }
-
-  /// upper[d]: of the nodes on the upper side of direction d alone.
+  /// At a corner; upper[d]: of the nodes on the upper side of direction d alone.
   template <int K>
   ASSAY_INLINE void sum_by_sides(const Cells& cells, std::size_t c, const double* field,
                                  Pack<GridField<K>::stride>& sum, Pack<GridField<K>::stride>* upper) const {

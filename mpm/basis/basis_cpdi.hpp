@@ -16,7 +16,11 @@ class CpdiBasis : public CornerBasis<CpdiBasis<Dim>, Dim> {
 
  public:
   static constexpr int corners = 1 << Dim;
-  static constexpr bool uses_deformation = true;
+  static constexpr BasisTraits traits{
+      .name = "CPDI (R4)",
+      .convects = true,
+      .uses_deformation = true,
+      .why_not_jittered = "domains of CPDI that are moved independently overlap and leave gaps"};
   static constexpr std::size_t domain_components = Dim * Dim;
   static constexpr double share = 1.0 / corners;
   /// Bytes of the weights a particle.

@@ -17,9 +17,12 @@ class Cpdi2Basis : public CornerBasis<Cpdi2Basis<Dim>, Dim> {
 
  public:
   static constexpr int corners = 1 << Dim;
-  static constexpr bool uses_deformation = false;
-  static constexpr bool moves_corners = true;
-  static constexpr std::size_t domain_components = 0;  ///< the corners are the domain
+  static constexpr BasisTraits traits{
+      .name = "CPDI2 (Q4)",
+      .convects = true,
+      .moves_corners = true,
+      .why_not_total = "no corner moves in the reference configuration, where cpdi2 is cpdi: take that",
+      .why_not_angular_momentum = "the centre of a quadrilateral moves slightly differently from its particle"};
   /// Bytes of the weights a particle.
   static constexpr std::size_t bytes = Corner::bytes_of_places + sizeof(CornerWeights<Dim>);
 

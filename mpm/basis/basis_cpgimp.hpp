@@ -26,7 +26,11 @@ Vec<3> stretches_along_axes(const Mat<3>& F);
 template <int Dim>
 class CpgimpBasis : public SeparableBasis<CpgimpBasis<Dim>, Dim, 4, BoxPlace<Dim>> {
  public:
-  static constexpr bool uses_deformation = true;
+  static constexpr BasisTraits traits{
+      .name = "cpGIMP",
+      .uses_deformation = true,
+      .why_not_total = "the boxes of cpgimp do not stretch in the reference configuration: take ugimp",
+      .why_not_deformed = "the domains of cpGIMP stay aligned with the axes, so they overlap and leave gaps in shear"};
 
   CpgimpBasis(const GridGeometry<Dim>& grid, const Vec<Dim>& half_size, std::size_t particles)
       : SeparableBasis<CpgimpBasis<Dim>, Dim, 4, BoxPlace<Dim>>(grid, particles), half_(half_size) {}

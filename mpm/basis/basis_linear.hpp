@@ -9,6 +9,12 @@ namespace assay::mpm {
 template <int Dim>
 class LinearBasis : public SeparableBasis<LinearBasis<Dim>, Dim, 2> {
  public:
+  static constexpr BasisTraits traits{
+      .smooth = false,
+      .why_no_second_moment = "the second moment of linear functions vanishes at their nodes: set affine: gradient",
+      .why_not_rotation = "the gradient of the linear basis jumps when a particle crosses into another cell",
+      .why_not_deformed = "with the linear basis, a particle contributes only to the cell that it is in"};
+
   LinearBasis(const GridGeometry<Dim>& grid, const Vec<Dim>&, std::size_t particles)
       : SeparableBasis<LinearBasis<Dim>, Dim, 2>(grid, particles) {}
 

@@ -26,10 +26,9 @@ struct BoxPlace {
 ///   line(p, d, value, slope, first)  weights in a direction, the first of them that of node `first`; no branches
 ///   fold(d, first, value, slope)     where they reach over the grid's edge (may_cross_edges), back onto it
 template <class Derived, int Dim, int Width, class Place = PointPlace<Dim>>
-class SeparableBasis : public OneParticle<Derived, Dim> {
+class SeparableBasis : public BasisOf<Derived, Dim> {
  public:
   static constexpr int nodes_across = Width;
-  static constexpr bool uses_deformation = false, may_cross_edges = false;
   static constexpr std::size_t domain_components = sizeof(Place) / sizeof(double) - Dim;
   static constexpr std::size_t bytes = sizeof(Place);  ///< of the weights a particle
   using Nodes = Lines<Dim, Width>;

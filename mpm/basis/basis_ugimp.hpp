@@ -17,6 +17,10 @@ namespace assay::mpm {
 template <int Dim>
 class UgimpBasis : public SeparableBasis<UgimpBasis<Dim>, Dim, 3, BoxPlace<Dim>> {
  public:
+  static constexpr BasisTraits traits{
+      .name = "uGIMP",
+      .why_not_deformed = "the domains of uGIMP keep their size and shape, so they overlap and leave gaps"};
+
   UgimpBasis(const GridGeometry<Dim>& grid, const Vec<Dim>& half_size, std::size_t particles)
       : SeparableBasis<UgimpBasis<Dim>, Dim, 3, BoxPlace<Dim>>(grid, particles), half_size_(half_size) {}
 

@@ -15,12 +15,6 @@ using Corners = std::array<Vec<Dim>, 1 << Dim>;
 template <int Dim>
 inline constexpr int corner_components = Dim << Dim;
 
-/// Bases whose domains are given by corners that move with the grid, one by one.
-template <class B>
-concept MovesCorners = requires {
-  requires B::moves_corners;
-};
-
 /// x_c = x + sum_d +-r_d, where column d of r is half edge d of the parallelepiped [m].
 template <int Dim>
 ASSAY_INLINE Corners<Dim> corners_of(const Vec<Dim>& x, const Mat<Dim>& r) {

@@ -4,7 +4,6 @@
 
 #include "mpm/kernels/affine.hpp"
 #include "mpm/kernels/kernel_state.hpp"
-#include "mpm/setup/with_basis.hpp"
 #include "mpm/step/effect.hpp"
 
 namespace assay::mpm {

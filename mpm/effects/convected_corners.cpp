@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/basis/corners.hpp"
-#include "mpm/setup/with_basis.hpp"
 #include "mpm/step/effect.hpp"
 
 namespace assay::mpm {

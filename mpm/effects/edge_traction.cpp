@@ -4,7 +4,6 @@
 #include "mpm/basis/corners.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/kernels/kernel_state.hpp"
-#include "mpm/setup/with_basis.hpp"
 #include "mpm/step/surface_loads.hpp"
 
 namespace assay::mpm {
@@ -49,7 +48,7 @@ std::vector<SurfacePoint> points_of(const State<2>& s, const SurfaceEdge& edge) 
     return Vec<2>{X[0] - s.setup.seeds.X[0][edge.particle], X[1] - s.setup.seeds.X[1][edge.particle]};
   };
   if (s.setup.traction->algorithm == TractionAlgorithm::particles) return {{edge.particle, -1, {}, 1}};
-  if (is_spline(s.method.basis)) return {{edge.particle, -1, from_particle(edge.middle), 1}};
+  if (traits_of<2>(s.method.basis).is_spline()) return {{edge.particle, -1, from_particle(edge.middle), 1}};
   const auto corner = [&](std::size_t k) { return edge.on_corners ? edge.corners[k] : -1; };
   return {{edge.particle, corner(0), from_particle(edge.X[0]), 0.5},
           {edge.particle, corner(1), from_particle(edge.X[1]), 0.5}};

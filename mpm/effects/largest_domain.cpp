@@ -6,7 +6,6 @@
 #include "mpm/basis/corners.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/kernels/kernel_state.hpp"
-#include "mpm/setup/with_basis.hpp"
 #include "mpm/step/effect.hpp"
 
 namespace assay::mpm {
@@ -87,8 +86,9 @@ EffectRecord<Dim> largest_domain_effect() {
   };
   effect.example = "0.5";
   effect.refusal = [](const Method& method, const EffectOptions&) -> std::string {
-    if (!method.is_total() && (method.basis == Basis::cpdi || method.basis == Basis::cpdi2)) return {};
-    return "is of domains that deform with their particle: of cpdi and cpdi2 in the updated formulation";
+    if (!method.is_total() && traits_of<2>(method.basis).convects) return {};
+    return "is of domains that deform with their particle: of " + bases_that(&BasisTraits::convects, "and") +
+           " in the updated formulation";
   };
   effect.in_title = [](const EffectOptions& options) {
     return "domains to " + rounded_text(options.of<LargestDomain>().cells, 3) + " h";

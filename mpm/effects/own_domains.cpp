@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "mpm/setup/with_basis.hpp"
+#include "mpm/basis/basis.hpp"
 #include "mpm/step/effect.hpp"
 
 namespace assay::mpm {

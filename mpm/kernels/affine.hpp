@@ -18,7 +18,7 @@ inline Column affine_column(const Method& method) {
 /// gives it; of a rough one it is smoother: short waves that C = sum v_i (x) grad phi_ip brings back grow in the
 /// updated formulation. In the total one they do not, and where functions are linear D vanishes at their nodes.
 inline bool fits_gradient(const Method& method) {
-  return !method.is_total() && method.affine == Affine::gradient && method.basis != Basis::linear;
+  return !method.is_total() && method.affine == Affine::gradient && traits_of<2>(method.basis).smooth;
 }
 
 template <int Dim>

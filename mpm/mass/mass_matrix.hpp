@@ -8,7 +8,6 @@
 
 #include "mpm/kernels/mass_stencil.hpp"
 #include "mpm/mass/mass_preconditioner.hpp"
-#include "mpm/setup/with_basis.hpp"
 #include "mpm/step/run_kernels.hpp"
 
 namespace assay::mpm {

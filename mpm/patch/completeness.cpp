@@ -46,18 +46,18 @@ Readback read_back(const Method& method, const Bench& bench, const Vec<2>& v, co
   Simulation<2> simulation(setup, passes);
   State<2>& s = simulation.state();
   arrange(s, Arrangement::jittered);
-  std::array<std::vector<double>, 2> x;
-  for (int d = 0; d < 2; ++d)
-    x[static_cast<std::size_t>(d)].assign(s.column(Column::position, d), s.column(Column::position, d) + s.particles);
   const Column at = method.is_total() ? Column::reference_position : Column::position;
-  const std::array<std::vector<double>, 2> where{std::vector<double>(s.column(at, 0), s.column(at, 0) + s.particles),
-                                                 std::vector<double>(s.column(at, 1), s.column(at, 1) + s.particles)};
+  std::vector<Vec<2>> x, where;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    x.push_back(s.at<2>(Column::position, p));
+    where.push_back(s.at<2>(at, p));
+  }
   Readback worst;
   if (simulation.step(0, 1)) return {INFINITY, INFINITY};
   for (std::size_t p = 0; p < s.particles; ++p) {
     for (std::size_t d = 0; d < 2; ++d) {
-      const double exact = v[d] + A[2 * d] * where[0][p] + A[2 * d + 1] * where[1][p];
-      const double moved = s.column(Column::position, d)[p] - x[d][p];
+      const double exact = v[d] + A[2 * d] * where[p][0] + A[2 * d + 1] * where[p][1];
+      const double moved = s.column(Column::position, d)[p] - x[p][d];
       worst.value = larger(worst.value, std::abs(moved - exact));
       for (std::size_t k = 0; k < 2; ++k) {
         const double L = s.column(Column::velocity_gradient, 2 * d + k)[p];

@@ -118,7 +118,8 @@ check::TestResult judged_series(const Method& method, const std::string& id, con
 }  // namespace
 
 std::vector<check::TestResult> rotation(const Method& method, const Bench& bench) {
-  const int across = bench.quick && !is_spline(method.basis) ? 4 : 8;  // a spline as wide as the body tells nothing
+  // a spline as wide as the body tells nothing
+  const int across = bench.quick && !traits_of<2>(method.basis).is_spline() ? 4 : 8;
   Series series;
   for (std::size_t k = 0; k < 3; ++k) series.runs[k] = rotate(method, bench, across << k);
   series.shorter = rotate(method, bench, 2 * across, 0.5);

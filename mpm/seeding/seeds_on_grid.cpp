@@ -16,7 +16,7 @@ namespace {
 
 template <class B>
 bool place(B& basis, const std::array<double, 2>& X, const Mat<2>& half) {
-  if constexpr (MovesCorners<B>) {
+  if constexpr (B::traits.moves_corners) {
     return basis.place(0, corners_of<2>(X, half));
   } else if constexpr (B::domain_components == 4) {
     return basis.place(0, X, {1, 0, 0, 1}, half);

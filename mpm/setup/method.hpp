@@ -7,6 +7,7 @@
 #include <string>
 
 #include "harness/numeric/range.hpp"
+#include "mpm/basis/traits.hpp"
 
 namespace assay::mpm {
 
@@ -22,7 +23,12 @@ constexpr auto names_of(Basis) {
 #undef ASSAY_BASIS
   });
 }
-constexpr bool is_spline(Basis basis) { return basis >= Basis::bspline2 && basis <= Basis::bspline4; }
+template <int Dim>
+BasisTraits traits_of(Basis basis);
+/// In a list: "linear, uGIMP, cpGIMP, ...".
+std::string bases_in_words();
+/// Words of those that have a trait: "cpdi and cpdi2".
+std::string bases_that(bool BasisTraits::*trait, const std::string& and_or);
 
 /// Configuration in which weights are made and forces integrated: the current one, or that of the beginning.
 enum class Formulation { updated, total };
@@ -64,7 +70,7 @@ struct Method {
   double flip = 1;
 
   void keys(auto& key) {
-    key("basis", "grid basis: linear, uGIMP, cpGIMP, CPDI (R4), CPDI2 (Q4), B-splines of degree 2, 3 and 4", basis);
+    key("basis", "grid basis: " + bases_in_words(), basis);
     key("formulation", "configuration of basis functions and force integration: current (updated) or reference (total)",
         formulation);
     key("transfer", "how the grid updates the velocities of the particles", transfer);

@@ -2,6 +2,7 @@
 // What a simulation is asked to be: plain values, no files, no YAML.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -97,10 +98,7 @@ struct Setup {
   }
   bool has_virtual_stress() const { return traction && traction->algorithm == TractionAlgorithm::virtual_stress; }
   bool has_images() const {
-    for (const AxisEnds& axis : ends) {
-      if (axis.any()) return true;
-    }
-    return false;
+    return std::any_of(ends.begin(), ends.end(), [](const AxisEnds& axis) { return axis.any(); });
   }
   int threads = 1;
   Instructions instructions = best_instructions();  ///< of the kernels

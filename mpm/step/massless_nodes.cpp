@@ -67,7 +67,7 @@ struct Neighbour {
 /// two nodes away.
 template <int Dim>
 std::vector<Neighbour<Dim>> neighbours_of(const Setup<Dim>& setup) {
-  const int reach = is_spline(setup.method.basis) ? 2 : 1, across = 2 * reach + 1;
+  const int reach = traits_of<Dim>(setup.method.basis).is_spline() ? 2 : 1, across = 2 * reach + 1;
   int all = 1;
   for (int d = 0; d < Dim; ++d) all *= across;
   std::vector<Neighbour<Dim>> neighbours;
@@ -182,8 +182,8 @@ void take_over(GridField<K>& field, const MasslessNodes& massless) {
 
 template <int Dim>
 bool has_massless_nodes(const Setup<Dim>& setup) {
-  const Basis basis = setup.method.basis;
-  return basis == Basis::linear || (is_spline(basis) && begins_on_edge(setup));
+  const BasisTraits basis = traits_of<Dim>(setup.method.basis);
+  return !basis.smooth || (basis.at_points && begins_on_edge(setup));
 }
 
 template <int Dim>

@@ -8,7 +8,7 @@ namespace assay::mpm {
 
 namespace {
 
-/// The bases' own functions: of a B-spline at a point, else multilinear.
+/// The bases' own functions where they are evaluated at points, else multilinear ones.
 template <class B>
 void bind_points(SurfaceLoads& loads, const GridGeometry<2>& grid) {
   auto basis = std::make_shared<B>(grid, Vec<2>{}, loads.points.size());
@@ -52,7 +52,7 @@ void place_loads(State<2>& s, std::vector<SurfacePoint> points, bool at_particle
   auto& loads = s.own<SurfaceLoads>();
   loads.points = std::move(points);
   const Basis own = s.setup.method.basis;
-  with_basis<2>(at_particles || is_spline(own) ? own : Basis::linear, [&](auto tag) {
+  with_basis<2>(at_particles || traits_of<2>(own).at_points ? own : Basis::linear, [&](auto tag) {
     using B = typename decltype(tag)::type;
     if (at_particles)
       bind_particles<B>(loads, s);

@@ -23,6 +23,7 @@ AmplitudeValue strain(const Amplitude& amplitude, double t) {
 struct Section {
   AxisAligned motion;
   double cosine_of_Y = 1;
+  Path baseline() const { return motion.section(cosine_of_Y); }
 };
 
 void fields(auto& archive, Section& s) { archive(s.motion, s.cosine_of_Y); }
@@ -103,7 +104,7 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
   }
 
   void keys(Keys& keys) override {
-    amplitude_keys(keys, m.amplitude);
+    m.amplitude.keys(keys);
     std::optional<double> speed = m.given_speed ? std::optional(m.wave_speed()) : std::nullopt;
     if (keys("wave_speed", "c, which sets T = 1/c [m/s]; auto: c = sqrt(E/rho0) with the material's parameter E", speed,
              {.range = {.lower = AxisAligned::least_wave_speed, .upper = AxisAligned::most_wave_speed},
@@ -133,13 +134,9 @@ std::unique_ptr<MotionKind> kind_of(const AxisAligned& motion) { return std::mak
 
 void register_axis_aligned(MotionRegistry& registry) {
   const Amplitude amplitude{Amplitude::Type::sine, usual_peak, 1};
-  registry.motion(4, AxisAligned{amplitude, false, false});
-  registry.motion(5, AxisAligned{amplitude, true, false});
-  registry.path("axis_aligned", [](NumberReader& numbers) {
-    Section section;
-    numbers(section);
-    return section.motion.section(section.cosine_of_Y);
-  });
+  registry.motion(AxisAligned{amplitude, false, false}, 4);
+  registry.motion(AxisAligned{amplitude, true, false}, 5);
+  registry.path<Section>("axis_aligned");
 }
 
 }  // namespace assay

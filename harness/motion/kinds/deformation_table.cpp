@@ -23,6 +23,12 @@ struct Rows {
   std::vector<double> times;
   std::vector<Tensor> F;
   Interpolation interpolation = Interpolation::monotone;
+
+  Path baseline() const {
+    if (times.size() < 2 || F.size() != times.size() || interpolation > Interpolation::spline)
+      throw std::runtime_error("no table");
+    return DeformationTable("", times, F, interpolation).baseline();
+  }
 };
 
 void fields(auto& archive, Rows& rows) { archive(rows.times, rows.F, rows.interpolation); }
@@ -168,14 +174,6 @@ std::unique_ptr<MotionKind> kind_of(const DeformationTable& motion) {
   return std::make_unique<DeformationTableKind>(motion);
 }
 
-void register_deformation_table(MotionRegistry& registry) {
-  registry.path("table", [](NumberReader& numbers) {
-    Rows rows;
-    numbers(rows);
-    if (rows.times.size() < 2 || rows.F.size() != rows.times.size() || rows.interpolation > Interpolation::spline)
-      throw std::runtime_error("no table");
-    return DeformationTable("", rows.times, rows.F, rows.interpolation).baseline();
-  });
-}
+void register_deformation_table(MotionRegistry& registry) { registry.path<Rows>("table"); }
 
 }  // namespace assay

@@ -87,7 +87,7 @@ class HomogeneousKind final : public MotionOf<HomogeneousKind, Homogeneous> {
 std::unique_ptr<MotionKind> kind_of(const Homogeneous& motion) { return std::make_unique<HomogeneousKind>(motion); }
 
 void register_homogeneous(MotionRegistry& registry) {
-  registry.motion(2, Homogeneous{});
+  registry.motion(Homogeneous{}, 2);
   registry.path<Homogeneous>("homogeneous");
 }
 

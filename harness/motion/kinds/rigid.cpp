@@ -75,7 +75,7 @@ class RigidKind final : public MotionOf<RigidKind, Rigid> {
 std::unique_ptr<MotionKind> kind_of(const Rigid& motion) { return std::make_unique<RigidKind>(motion); }
 
 void register_rigid(MotionRegistry& registry) {
-  registry.motion(7, Rigid{});
+  registry.motion(Rigid{}, 7);
   registry.path<Rigid>("rigid");
 }
 

@@ -132,7 +132,7 @@ std::unique_ptr<MotionKind> kind_of(const RotatingStretch& motion) {
 }
 
 void register_rotating_stretch(MotionRegistry& registry) {
-  registry.motion(6, RotatingStretch{});
+  registry.motion(RotatingStretch{}, 6);
   registry.path<RotatingStretch>("rotating_stretch");
 }
 

@@ -70,7 +70,7 @@ class TwistingRingKind final : public MotionOf<TwistingRingKind, TwistingRing>, 
     ring_keys(keys, m.twist);
     keys("expansion", "e: radii change by e sin(pi t/T) U(R), with U = 1 at the outer radius [m]", m.expansion,
          {.required = true});
-    amplitude_keys(keys, m.twist.amplitude);
+    m.twist.amplitude.keys(keys);
   }
   std::optional<MotionFault> fault(const MotionUse&) const override {
     if (auto found = fault_of_radii(ring())) return found;
@@ -97,7 +97,7 @@ class TwistingRingKind final : public MotionOf<TwistingRingKind, TwistingRing>, 
 std::unique_ptr<MotionKind> kind_of(const TwistingRing& motion) { return std::make_unique<TwistingRingKind>(motion); }
 
 void register_twisting_ring(MotionRegistry& registry) {
-  registry.motion(3, TwistingRing{});
+  registry.motion(TwistingRing{}, 3);
   registry.path<TwistingRing>("twisting_ring");
 }
 

@@ -144,7 +144,7 @@ class VortexKind final : public MotionOf<VortexKind, Vortex>, public PolarMotion
 
   void keys(Keys& keys) override {
     ring_keys(keys, m);
-    amplitude_keys(keys, m.amplitude);
+    m.amplitude.keys(keys);
   }
   std::optional<MotionFault> fault(const MotionUse&) const override { return fault_of_radii(ring()); }
 };
@@ -168,7 +168,7 @@ std::optional<MotionFault> fault_of_radii(const Annulus& ring) {
 }
 
 void register_vortex(MotionRegistry& registry) {
-  registry.motion(1, Vortex{});
+  registry.motion(Vortex{}, 1);
   registry.path<Vortex>("vortex");
 }
 

@@ -33,7 +33,7 @@ Kernels<Dim> table() {
   k.momentum_and_force = {both<B, Around::nothing, Dim>(), both<B, Around::gradient, Dim>(),
                           both<B, Around::moment, Dim>()};
   k.gather = all_gathers<B, false, Dim>();
-  if constexpr (MovesCorners<B>) k.gather_and_fit = all_gathers<B, true, Dim>();
+  if constexpr (B::traits.moves_corners) k.gather_and_fit = all_gathers<B, true, Dim>();
   k.force = {force<B, false, Dim>, force<B, true, Dim>};
   k.velocity_gradient = velocity_gradient<B, Dim>;
   k.multiply_mass = multiply_mass<B, Dim>;

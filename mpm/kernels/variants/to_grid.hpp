@@ -10,7 +10,7 @@ namespace assay::mpm::ASSAY_INSTRUCTIONS {
 
 template <class B, int Dim>
 ASSAY_INLINE bool place_particle(KernelState<Dim>& s, B& basis, std::size_t p, bool total, bool own_domain) {
-  if constexpr (MovesCorners<B>) {
+  if constexpr (B::traits.moves_corners) {
     Corners<Dim> corners;
     const double* column = s.column(Column::corners);
     for (std::size_t k = 0; k < corner_components<Dim>; ++k) corners[k / Dim][k % Dim] = column[k * s.particles + p];
@@ -20,7 +20,7 @@ ASSAY_INLINE bool place_particle(KernelState<Dim>& s, B& basis, std::size_t p, b
     Vec<Dim> x;
     for (std::size_t d = 0; d < Dim; ++d) x[d] = at[d * s.particles + p];
     Mat<Dim> F{};
-    if (B::uses_deformation && !total) {
+    if (B::traits.uses_deformation && !total) {
       const double* column = s.column(Column::deformation_gradient);
       for (std::size_t c = 0; c < Dim * Dim; ++c) F[c] = column[c * s.particles + p];
     } else {

@@ -89,7 +89,7 @@ ASSAY_INLINE void fit(KernelState<Dim>& s, std::size_t begin, std::size_t n, con
 template <class B, bool Gradient, bool Fits, int Dim>
 ASSAY_INLINE void take(KernelState<Dim>& s, const B& basis, const typename B::Nodes& nodes, std::size_t begin,
                        std::size_t n, MotionOfParticles<Gradient, Dim>& motion, double dt) {
-  if constexpr (!MovesCorners<B>) {
+  if constexpr (!B::traits.moves_corners) {
     basis.sum_all(nodes, n, s.motion.data(), motion);
   } else {
     double velocity[corner_components<Dim>][particles_at_once];

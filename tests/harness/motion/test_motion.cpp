@@ -7,11 +7,12 @@
 #include "harness/motion/kinds/rotating_stretch.hpp"
 #include "harness/motion/kinds/twisting_ring.hpp"
 #include "harness/motion/kinds/vortex.hpp"
-#include "harness/motion/motion.hpp"
+#include "harness/motion/registry.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 namespace assay::test_motion {
 namespace {
@@ -27,7 +28,8 @@ Vortex sample_vortex() {
   return vortex;
 }
 
-std::vector<std::pair<const char*, Motion>> motions() {
+/// Values that samples of motions do not have.
+std::vector<std::pair<std::string, Motion>> chosen() {
   Homogeneous homogeneous;
   homogeneous.final << 1.4, 0.2, 0.1, -0.3, 0.8, 0, 0.05, 0, 1.1;
   RotatingStretch stretch;
@@ -49,6 +51,47 @@ std::vector<std::pair<const char*, Motion>> motions() {
           {"axis_aligned", box},
           {"bar_1d", bar},
           {"rigid", Rigid{{0.4, -0.3, 0.2}, 1.7, {1, 2, 3}, 1}}};
+}
+
+/// Gives every key another value where its range allows one: most motions stand still as they are registered.
+class OtherValues final : public Keys {
+ public:
+  MotionUse use() const {
+    return {.gives = [given = given_](const std::string& key) { return given.contains(key); }};
+  }
+
+ protected:
+  std::optional<KeyValue> meet(const KeyInfo& key, KeyType type, const KeyValue& value) override {
+    const auto other = other_than(key, type, value);
+    if (other) given_.insert("motion." + std::string(key.name));
+    return other;
+  }
+
+ private:
+  static std::optional<KeyValue> other_than(const KeyInfo& key, KeyType type, const KeyValue& value) {
+    if (type == KeyType::matrix) return std::vector<double>{1.3, 0.1, 0.2, -0.2, 0.9, 0, 0.1, 0, 1.2};
+    if (type == KeyType::vector) {
+      const auto& v = std::get<std::vector<double>>(value);
+      return std::vector<double>{v[0] + 0.3, v[1] - 0.2, v[2] + 0.4};
+    }
+    if (type != KeyType::number) return std::nullopt;
+    const double number = std::get<double>(value);
+    const double other = key.range.whole ? number + 1 : number == 0 ? 0.3 : 1.1 * number;
+    return key.range.holds(other) ? std::optional<KeyValue>(other) : std::nullopt;
+  }
+  std::set<std::string> given_;
+};
+
+/// Every motion that there is, so a new one needs no word here; and the chosen ones.
+std::vector<std::pair<std::string, Motion>> motions() {
+  std::vector<std::pair<std::string, Motion>> all = chosen();
+  for (const Motion& sample : motion_registry().samples()) {
+    Motion other = sample;
+    OtherValues values;
+    other->keys(values);
+    all.emplace_back("registered " + std::string(sample->type()), other->fault(values.use()) ? sample : other);
+  }
+  return all;
 }
 
 const std::vector<Vector3> places{{0.8, 0.31, 0.2}, {-0.53, 0.77, -0.4}, {0.6, -0.75, 0}};
@@ -104,9 +147,7 @@ TEST(Motion, BaselineStretchesAsTheMotionDoes) {
     const Vector3& X = places[1];
     for (const double t : times) {
       const double R = std::hypot(X.x(), X.y());
-      double parameter = 1;
-      if (const auto* vortex = motion.as<Vortex>()) parameter = vortex->profile(R).xi;
-      if (motion.as<TwistingRing>()) parameter = R;
+      double parameter = ring_of(motion) ? ring_parameter(motion, R).value : motion->own_parameter();
       Path path = motion->baseline();
       if (const auto* box = motion.as<AxisAligned>()) {
         parameter = std::cos(M_PI * X.x());
@@ -123,12 +164,13 @@ TEST(Motion, BaselineStretchesAsTheMotionDoes) {
 }
 
 TEST(Motion, KnowsWhatItHas) {
-  for (const auto& [name, motion] : motions()) {
-    const std::string who = name;
+  for (const auto& [who, motion] : chosen()) {
     EXPECT_EQ(ring_of(motion).has_value(), who == "vortex" || who == "twisting_ring") << who;
     EXPECT_EQ(motion->amplitude() != nullptr,
               who == "vortex" || who == "twisting_ring" || who == "axis_aligned" || who == "bar_1d")
         << who;
+  }
+  for (const auto& [who, motion] : motions()) {
     EXPECT_GT(motion->period(), 0) << who;
     const Tensor here = motion->at(places[0], 0.4).F, there = motion->at(places[1], 0.4).F;
     EXPECT_EQ(motion->is_homogeneous(), here == there) << who;

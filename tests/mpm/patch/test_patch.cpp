@@ -52,12 +52,42 @@ void expect_promises_kept(const Method& method) {
 TEST_P(EveryPatchedMethod, KeepsWhatItPromisesAndTellsTheRest) { expect_promises_kept(GetParam()); }
 TEST_P(LongEveryPatchedMethod, KeepsWhatItPromisesAndTellsTheRest) { expect_promises_kept(GetParam()); }
 
+/// Every choice with every other one, less what is left out of the list on purpose: of xpic, fmpm, apic, aflip and of a
+/// series of the mass matrix other updates than usl, and of matrices and of stages all but one of each kind.
+std::set<std::string> wanted_names() {
+  std::set<std::string> names{"cpdi/flip/usl/consistent", "bspline2/flip/usl/consistent/total",
+                              "cpdi/flip/usl/symplectic_rkn4/total", "bspline2/flip/usl/symplectic_rkn4/total",
+                              "bspline2/flip/usl/series2/symplectic_rkn4/total"};
+  const auto every = [](auto choice, const auto& visit) {
+    for (std::size_t k = 0; k < names_of(choice).size(); ++k) visit(static_cast<decltype(choice)>(k));
+  };
+  every(Basis{}, [&](Basis basis) {
+    every(Formulation{}, [&](Formulation formulation) {
+      every(Transfer{}, [&](Transfer transfer) {
+        every(Update{}, [&](Update update) {
+          for (const Mass mass : {Mass::lumped, Mass::series}) {
+            every(Affine{}, [&](Affine affine) {
+              const Method method{basis, transfer, update, formulation, mass, affine};
+              const bool is_plain = transfer == Transfer::pic || transfer == Transfer::flip;
+              const bool is_chosen = mass == Mass::lumped || (method.keeps_velocity() && affine == Affine::gradient);
+              if (!contradiction(method) && is_chosen && (update == Update::usl || (is_plain && mass == Mass::lumped)))
+                names.insert(name_of(method));
+            });
+          }
+        });
+      });
+    });
+  });
+  return names;
+}
+
 TEST(PatchMethods, ListEveryCombinationOnce) {
   std::set<std::string> names;
   for (const Method& method : all_methods()) names.insert(name_of(method));
-  EXPECT_EQ(names.size(), 197u);
   EXPECT_EQ(all_methods().size(), names.size());
   EXPECT_EQ(names.count("cpdi/flip/usl"), 1u);
+  EXPECT_EQ(names, wanted_names());
+  EXPECT_GE(names.size(), 197u);  // of the first eight bases
 }
 
 // What holds for all: partition of unity, linear fields, uniform motion, momentum, stress of a regular lattice.
@@ -74,7 +104,7 @@ TEST(PatchMethods, NoneIsExemptFromTheEssentials) {
 template <class Inner, int Width, auto Spoil>
 class Spoilt : public SeparableBasis<Spoilt<Inner, Width, Spoil>, 2, Width> {
  public:
-  static constexpr bool uses_deformation = Inner::uses_deformation;
+  static constexpr BasisTraits traits = Inner::traits;
   static constexpr std::size_t domain_components = Inner::domain_components;
   static constexpr bool may_cross_edges = false;
 
