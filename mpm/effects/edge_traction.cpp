@@ -23,7 +23,7 @@ Vec<2> current_normal(const State<2>& s, const SurfaceEdge& edge) {
     const double side = Y * edge.N_dA[0] - X * edge.N_dA[1] > 0 ? 1 : -1;  // (dy, -dx) points out of the body, or in
     return {side * dy, -side * dx};
   }
-  const Mat<2> cofactor = inverse_transpose<2>(deformation_gradient(s, edge.particle), 1);
+  const Mat<2> cofactor = inverse_transpose<2>(s.at<4>(Column::deformation_gradient, edge.particle), 1);
   return {cofactor[0] * edge.N_dA[0] + cofactor[1] * edge.N_dA[1],
           cofactor[2] * edge.N_dA[0] + cofactor[3] * edge.N_dA[1]};
 }
@@ -61,7 +61,7 @@ Vec<2> position_of(const State<2>& s, const SurfacePoint& point, bool in_referen
     return {s.column(Column::corners, 2 * point.corner)[p], s.column(Column::corners, 2 * point.corner + 1)[p]};
   }
   const Column at = in_reference ? Column::reference_position : Column::position;
-  const Mat<2> F = in_reference ? Mat<2>{1, 0, 0, 1} : deformation_gradient(s, p);
+  const Mat<2> F = in_reference ? Mat<2>{1, 0, 0, 1} : s.at<4>(Column::deformation_gradient, p);
   return {s.column(at, 0)[p] + F[0] * point.offset[0] + F[1] * point.offset[1],
           s.column(at, 1)[p] + F[2] * point.offset[0] + F[3] * point.offset[1]};
 }

@@ -36,10 +36,4 @@ inline double time_of_forces(const Method& method, const Instant& now) {
   return method.update == Update::usf ? now.t + now.dt : now.t;
 }
 
-inline Mat<2> deformation_gradient(const State<2>& s, std::size_t p) {
-  Mat<2> F;
-  for (std::size_t c = 0; c < 4; ++c) F[c] = s.column(Column::deformation_gradient, static_cast<int>(c))[p];
-  return F;
-}
-
 }  // namespace assay::mpm

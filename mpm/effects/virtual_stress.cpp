@@ -26,7 +26,7 @@ Pass<2> virtual_stress_pass(TractionForm form) {
         const PlaneState exact = field->state(p);
         Mat<2> taken{exact.sigma[0], exact.sigma[1], exact.sigma[2], exact.sigma[3]};
         if (form == TractionForm::reference) {  // P F^T / J with the particle's own F
-          const Mat<2> F = deformation_gradient(s, p), own = product<2>(F, inverse<2>(exact.F));
+          const Mat<2> F = s.at<4>(Column::deformation_gradient, p), own = product<2>(F, inverse<2>(exact.F));
           const double ratio = determinant<2>(exact.F) / determinant<2>(F);
           taken = product<2>(taken, {own[0], own[2], own[1], own[3]});  // J_e sigma_e F_e^-T F^T / J
           for (double& component : taken) component *= ratio;
