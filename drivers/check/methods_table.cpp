@@ -117,8 +117,7 @@ std::string line_of_table(const std::vector<std::string>& cells) {
 }
 
 std::string cells_of(const MethodsRow& row, const std::vector<TestGroup>& groups) {
-  std::vector<std::string> cells;
-  for (const Names& names : row.names) cells.push_back(joined(names));
+  std::vector<std::string> cells = mapped(row.names, [](const Names& names) { return joined(names); });
   cells.push_back(std::to_string(row.methods));
   for (std::size_t k = 1; k < groups.size(); ++k) {
     const Verdict verdict = row.verdicts[groups[k][0]];

@@ -129,9 +129,7 @@ Composition composition_of(const Problem& problem) {
 }
 
 std::vector<std::string> names_of(const std::vector<mpm::Column>& columns) {
-  std::vector<std::string> names;
-  for (const mpm::Column column : columns) names.emplace_back(mpm::info(column).name);
-  return names;
+  return mapped(columns, [](mpm::Column column) { return std::string(mpm::info(column).name); });
 }
 
 std::vector<Observer> observers_of(const Problem& problem) {

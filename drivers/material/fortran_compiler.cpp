@@ -248,8 +248,7 @@ std::vector<std::string> warnings_in(const std::string& said) {
 
 InputError refusal_of_compiler(const FortranSource& source, const std::string& version, const std::string& said) {
   const std::vector<CompilerMessage> all = messages_in(said, of_errors);
-  std::vector<std::string> texts;
-  for (const CompilerMessage& each : all) texts.push_back(plain_message(each.text));
+  std::vector<std::string> texts = mapped(all, [](const CompilerMessage& each) { return plain_message(each.text); });
   std::erase(texts, "");
   if (const std::string absent = library_not_found(said); !absent.empty()) {
     return InputError({source.file}, "link",

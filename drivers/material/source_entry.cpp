@@ -48,12 +48,6 @@ std::optional<SourceEntry> entry_behind(const std::string& symbol, const std::ve
   return std::nullopt;
 }
 
-std::string symbols_text(const std::vector<SourceEntry>& entries) {
-  std::vector<std::string> names;
-  for (const SourceEntry& entry : entries) names.push_back(entry.symbol);
-  return joined(names);
-}
-
 SourceEntry asked_entry(const FortranSource& source, const std::vector<std::string>& symbols,
                         const std::vector<SourceEntry>& entries, const std::string& asked) {
   for (const SourceEntry& entry : entries) {
@@ -66,7 +60,7 @@ SourceEntry asked_entry(const FortranSource& source, const std::vector<std::stri
   throw InputError({source.file}, "symbol",
                    exported == symbols.end() ? quoted + "is no routine of it"
                                              : quoted + "has neither the 37 arguments of a UMAT nor the 33 of a VUMAT",
-                   symbols_text(entries));
+                   joined(entries, &SourceEntry::symbol));
 }
 
 InputError none_found(const FortranSource& source, const std::vector<FortranRoutine>& routines) {
@@ -137,7 +131,7 @@ SourceEntry entry_of_source(const FortranSource& source, const std::vector<std::
   if (entries.size() == 1) return entries.front();
   if (plain.size() == 1) return plain.front();
   throw InputError({source.file}, "", "has several entry points: choose one by " + key,
-                   symbols_text(plain.empty() ? entries : plain));
+                   joined(plain.empty() ? entries : plain, &SourceEntry::symbol));
 }
 
 const std::vector<std::string>& usual_arguments(ForeignInterface interface) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "drivers/picture/panel.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -41,9 +42,7 @@ void draw_cells(Canvas& canvas, const Panel& panel, const ColorBar& bar) {
 
 void draw_lines(Canvas& canvas, const Panel& panel) {
   const auto placed = [&](const std::vector<Point>& line) {
-    std::vector<Point> out;
-    for (const Point p : line) out.push_back(panel.at(p.x, p.y));
-    return out;
+    return mapped(line, [&](Point p) { return panel.at(p.x, p.y); });
   };
   for (const auto& line : panel.map.dashes) canvas.stroke(placed(line), 1, axis_color, 6);
   for (const auto& line : panel.map.lines) canvas.stroke(placed(line), 1.8, ink);

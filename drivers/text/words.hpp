@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace assay::drivers {
@@ -72,6 +74,24 @@ inline std::string in_plain_words(std::string text) {
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
 }
+
+/// What `of` makes of each, in their order: a function of one, or a member.
+template <class Of>
+auto mapped(const auto& list, const Of& of) {
+  std::vector<std::decay_t<std::invoke_result_t<const Of&, decltype(*std::begin(list))>>> all;
+  for (const auto& each : list) all.push_back(std::invoke(of, each));
+  return all;
+}
+
+/// "a, b, c".
+inline std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+/// The same of what `of` makes of each.
+std::string joined(const auto& list, const auto& of) { return joined(mapped(list, of)); }
 
 /// Behind what is there already.
 template <class T>

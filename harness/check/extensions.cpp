@@ -7,7 +7,7 @@
 #include "harness/check/samples.hpp"
 #include "harness/check/tests.hpp"
 #include "harness/material/state_variable.hpp"
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 #include "harness/stability/wave_speed.hpp"
 
 namespace assay::check {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "harness/check/march.hpp"
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::check {
 

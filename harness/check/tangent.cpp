@@ -7,7 +7,7 @@
 #include "harness/check/samples.hpp"
 #include "harness/check/tangents.hpp"
 #include "harness/check/tests.hpp"
-#include "harness/numeric/stable_norm.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::check {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay {
 

@@ -20,11 +20,33 @@
 #include <variant>
 #include <vector>
 
+#include "harness/motion/motion.hpp"
 #include "harness/sheet/band_series.hpp"
-#include "harness/sheet/curve.hpp"
 #include "harness/sheet/isochrone.hpp"
 
 namespace assay {
+
+/// Chebyshev in eps = xi g(t).
+class Curve {
+ public:
+  /// n nodes over every eps that the path reaches until `end`. Throws MaterialFailure.
+  Curve(const Material& material, const Path& path, double end, int n);
+
+  Isochrone isochrone(double t) const;
+  Isochrone in_eps() const { return Isochrone({range_}); }  ///< tau and d tau / d eps
+  int nodes() const { return nodes_; }
+  Interval eps() const { return range_.map.xi; }
+  double left_out() const { return left_out_; }  ///< by the series, as its last terms tell [Pa]
+
+ private:
+  std::function<double(double)> amplitude_;
+  Isochrone::Range range_;
+  int nodes_ = 0;
+  double left_out_ = 0;
+};
+
+/// tau of one step from rest to each eps, 9 * n [Pa].
+std::vector<double> tau_of_eps(const Material& material, const Path& loading, std::span<const double> eps);
 
 /// How far the making of a sheet is. A second look for kinks, or a second round, begins again.
 struct SheetProgress {
@@ -83,5 +105,9 @@ class Sheet {
   std::int64_t calls_ = 0;
   bool restored_ = false, kinks_ = false;
 };
+
+/// Estimate of the error of b at a point, (32) and (33) with the sheet's stated errors in tau and d tau / d xi, over
+/// the largest |b| of the ring until `end`. density: rho0 [kg/m^3].
+double force_error(const Motion& motion, double density, const Sheet& sheet, double end);
 
 }  // namespace assay

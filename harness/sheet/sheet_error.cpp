@@ -4,7 +4,7 @@
 
 #include "harness/history/history_trail.hpp"
 #include "harness/numeric/central_difference.hpp"
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 #include "harness/sheet/sheet_build.hpp"
 
 namespace assay {
