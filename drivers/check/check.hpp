@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drivers/material/material_choice.hpp"
-#include "drivers/material/source_options.hpp"
+#include "drivers/material/source_description.hpp"
 
 namespace assay::drivers {
 

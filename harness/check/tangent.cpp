@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "harness/check/samples.hpp"
+#include "harness/check/specimen.hpp"
 #include "harness/check/tangents.hpp"
 #include "harness/check/tests.hpp"
 #include "harness/numeric/norms.hpp"

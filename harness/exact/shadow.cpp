@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/exact/shadow.hpp"
+#include "harness/exact/response.hpp"
 
 #include <algorithm>
 #include <map>

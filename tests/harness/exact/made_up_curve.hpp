@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "harness/exact/shadow.hpp"
+#include "harness/exact/response.hpp"
 
 namespace assay {
 
