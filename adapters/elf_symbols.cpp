@@ -163,8 +163,8 @@ Folders folders_in(const std::string& list, const std::string& origin) {
 }
 
 bool is_of_system(const std::string& path) {
-  return std::ranges::any_of(std::array{"/lib/", "/lib64/", "/usr/lib/", "/usr/lib64/"},
-                             [&](const std::string& folder) { return path.starts_with(folder); });
+  constexpr const char* folders[] = {"/lib/", "/lib64/", "/usr/lib/", "/usr/lib64/"};
+  return std::ranges::any_of(folders, [&](const char* folder) { return path.starts_with(folder); });
 }
 
 /// Those of the loader's own list.

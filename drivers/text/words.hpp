@@ -69,6 +69,15 @@ std::vector<std::string> words_of() {
 /// The name of one of its values.
 std::string word_of(auto value) { return names_of(value)[static_cast<std::size_t>(value)]; }
 
+/// As a word of the shell, in quotes where it has more than letters, digits and what is `plain`.
+inline std::string shell_word(const std::string& word, std::string_view plain = "_./=:,+-") {
+  const auto is_plain = [&](char c) { return is_letter_or_digit(c) || plain.find(c) != plain.npos; };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
 /// "virtual_stress" as "virtual stress".
 inline std::string in_plain_words(std::string text) {
   std::replace(text.begin(), text.end(), '_', ' ');
