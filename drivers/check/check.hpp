@@ -41,9 +41,6 @@ int check_methods(const CheckOptions& options);
 /// it fails again, 0 where it does not. Throws InputError.
 int check_replay(const CheckOptions& options);
 
-/// Throws InputError where a file of them would replace one that was read.
-void refuse_inputs_as_outputs(const CheckOptions& options);
-
 /// What was found, as the options ask for it. Throws SystemError.
 void tell_check(const CheckOptions& options, const std::string& text, const std::string& json, const std::string& junit,
                 const std::string& markdown = {});

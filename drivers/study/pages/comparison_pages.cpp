@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "drivers/result/json_fields.hpp"
 #include "drivers/study/analysis/study_json.hpp"
@@ -68,11 +67,10 @@ constexpr std::size_t label_width = 32, words_width = 17, ratio_width = 10;
 
 /// Lines of at most the label's column, less a blank.
 std::vector<std::string> label_lines(const std::string& label) {
-  std::istringstream text(wrapped(label, "", "  ", label_width - 1));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(text, line);)
-    lines.push_back(line.size() < label_width ? line : one_line(line, label_width - 4));
-  return lines;
+  const std::string text = wrapped(label, "", "  ", label_width - 1);
+  return mapped(split(stripped(text, "\n"), '\n'), [](const std::string& line) {
+    return line.size() < label_width ? line : one_line(line, label_width - 4);
+  });
 }
 
 std::string comparison_line(const std::string& label, const std::string& words, const std::string& error,
@@ -196,13 +194,13 @@ std::string comparison_markdown(const StoredStudy& A, const StoredStudy& B, cons
   page += "| Case | B against A | Error A | Error B | B/A | Cost A | Cost B | B/A | Noise |\n";
   page += "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const ComparedCase& one : found.cases) {
-    page += study_page::markdown_line({cell(one.label), cell(joined(words_of(one))), cell(one.error.a),
-                                       cell(one.error.b), ratio_text(one.error), cell(one.cost.a), cell(one.cost.b),
-                                       ratio_text(one.cost), noise_text(one)});
+    page += markdown_line({cell(one.label), cell(joined(words_of(one))), cell(one.error.a), cell(one.error.b),
+                           ratio_text(one.error), cell(one.cost.a), cell(one.cost.b), ratio_text(one.cost),
+                           noise_text(one)});
   }
   if (!found.digits.empty()) page += "\n| Error | Cheapest in A | Cheapest in B | |\n| --- | --- | --- | --- |\n";
   for (const ComparedDigit& digit : found.digits)
-    page += study_page::markdown_line({rounded_text(digit.error, 3), cell(digit.a), cell(digit.b), change_text(digit)});
+    page += markdown_line({rounded_text(digit.error, 3), cell(digit.a), cell(digit.b), change_text(digit)});
   if (!found.expectations.empty()) page += "\n";
   for (const ComparedExpectation& one : found.expectations)
     page += std::string(one.holds ? "- holds again: " : "- **fails now**: ") + one_line(one.where) + ": `" + one.key +

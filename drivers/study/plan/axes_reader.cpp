@@ -22,10 +22,9 @@ bool is_scene_path(const std::string& path) {
   if (std::ranges::any_of(keys, [&](const Key& key) { return key.path == path; })) return true;
   const std::size_t dot = path.rfind('.');  // a value of a list
   if (dot != path.npos && is_index(path.substr(dot + 1))) return is_scene_path(path.substr(0, dot));
-  for (const Section& section : scene_sections()) {
-    if (path == section.path || (section.free_keys && path.starts_with(section.path + "."))) return true;
-  }
-  return false;
+  return std::ranges::any_of(scene_sections(), [&](const Section& section) {
+    return path == section.path || (section.free_keys && path.starts_with(section.path + "."));
+  });
 }
 
 void check_path(const std::string& path, const Location& where, const std::string& key) {
