@@ -47,10 +47,8 @@ class Hosts {
         own_(state_of_answer + bridge_components(material)) {
     constexpr int count = 8;
     constexpr double far = 30;  // as far beyond yield as the battery goes: the others stay elastic
-    for (const double amplitude : {strain, strain / far}) {
-      const auto more = repeated_steps(material_, amplitude, pressure, count);
-      steps_.insert(steps_.end(), more.begin(), more.end());
-    }
+    for (const double amplitude : {strain, strain / far})
+      append_all(steps_, repeated_steps(material_, amplitude, pressure, count));
     for (const RepeatedStep& step : steps_) {
       answers_.push_back(answer_of(material_, step));
       const double so_far = step.first ? 1e-300 : scales_.back();
