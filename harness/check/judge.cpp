@@ -21,12 +21,6 @@ Limit limit_of(const Errors& e) {
   return {std::abs(e[2] - second * second / (first - second)), std::log2(first / second)};
 }
 
-std::string rounded(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
-}
-
 std::string how(const Limit& limit, const Errors& e, int steps) {
   if (limit.order) {
     return "converges with order " + rounded(*limit.order) + " in the step: " + rounded(e[0]) + " at " +
