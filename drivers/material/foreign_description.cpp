@@ -166,8 +166,7 @@ const std::vector<std::string>& keys_of_abaqus() {
 std::string foreign_yaml(const ForeignModel& model) {
   ForeignModel m = model;
   Places unused;
-  const char* interface = names_of(m.interface)[static_cast<std::size_t>(m.interface)];
-  return std::string("interface: ") + interface + "\n" + yaml_lines_of(rows_of_all(m, unused)) +
+  return "interface: " + word_of(m.interface) + "\n" + yaml_lines_of(rows_of_all(m, unused)) +
          (m.interface == ForeignInterface::mfront ? "" : yaml_lines_of(rows_of_abaqus(m)));
 }
 
