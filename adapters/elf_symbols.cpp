@@ -163,10 +163,8 @@ Folders folders_in(const std::string& list, const std::string& origin) {
 }
 
 bool is_of_system(const std::string& path) {
-  for (const char* folder : {"/lib/", "/lib64/", "/usr/lib/", "/usr/lib64/"}) {
-    if (path.starts_with(folder)) return true;
-  }
-  return false;
+  constexpr const char* folders[] = {"/lib/", "/lib64/", "/usr/lib/", "/usr/lib64/"};
+  return std::ranges::any_of(folders, [&](const char* folder) { return path.starts_with(folder); });
 }
 
 /// Those of the loader's own list.

@@ -2,25 +2,16 @@
 // Materials in shared libraries. A library that was opened stays open: tables live as long as the process.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "harness/assay_material.h"
+#include "harness/material/material.hpp"
 
 namespace assay::adapters {
 
-/// Why a model cannot serve: what() is one sentence, key() the key of its description to blame, empty where none is,
-/// and known() what that could say.
-class ModelRefused : public std::runtime_error {
- public:
-  ModelRefused(std::string key, const std::string& what, std::string known = {})
-      : std::runtime_error(what), key_(std::move(key)), known_(std::move(known)) {}
-  const std::string& key() const { return key_; }
-  const std::string& known() const { return known_; }
-
- private:
-  std::string key_, known_;
+/// Why a model cannot serve, by the key of its description to blame.
+struct ModelRefused : KeyedError {
+  using KeyedError::KeyedError;
 };
 
 /// Why its library cannot: what() does not say the path, known() the models that it does hold.

@@ -49,21 +49,7 @@ class ForeignCalls {
     s.update_any(*step, n, state0, state1, cauchy, status, dt_factor, message);
   }
 
-  /// HostAccess, of bridges that have it.
-  static HostAccess host_access_of() {
-    return {sizeof(HostAccess),
-            [](void* self) { return bridge_of(self).host_values(); },
-            [](void* self, const HostValues& values) { bridge_of(self).hold(values); },
-            [](void* self) { static_cast<ForeignCalls*>(self)->table_.counts_elements = false; },
-            [](void* self) { bridge_of(self).widen(); },
-            [](void* self) { return bridge_of(self).arrays_of_a_point().fence_words(); },
-            [](void* self, std::span<const double> words) {
-              bridge_of(self).surroundings().words.assign(words.begin(), words.end());
-            },
-            [](void* self, std::size_t word) { return bridge_of(self).arrays_of_a_point().place_of(word); },
-            [](void* self) { return bridge_of(self).surroundings().written; },
-            [](void* self) { return bridge_of(self).surroundings().left_at_times(); }};
-  }
+  static AbaqusBridge& bridge_of(void* self) { return static_cast<ForeignCalls*>(self)->bridge_; }
 
   static const char* reason(void* self) { return static_cast<ForeignCalls*>(self)->reason_.c_str(); }
 
@@ -91,8 +77,6 @@ class ForeignCalls {
       return ASSAY_FAILED;
     }
   }
-
-  static Bridge& bridge_of(void* self) { return static_cast<ForeignCalls*>(self)->bridge_; }
 
   ForeignCalls(const ForeignTable& table, const double* properties) : table_(table), bridge_(table, properties) {
     std::size_t size = 0;

@@ -25,6 +25,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The companion library with the host's utility routines: beside the program, or in ../lib/assay/abaqus of it. Empty
+/// where it is not found.
+std::string utilities_library() {
+  const char* name = "libassay_abaqus.so";
+  std::error_code code;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", code).parent_path();
+  for (const fs::path& candidate : {folder / name, folder / ASSAY_LIBRARY_FOLDER / name}) {
+    if (!code && fs::exists(candidate, code)) return candidate.lexically_normal().string();
+  }
+  return {};
+}
+
 bool lacks_a_symbol(const std::string& message) { return message.find("undefined symbol: ") != std::string::npos; }
 
 /// Before a library of which GETOUTDIR answers that folder.
@@ -107,20 +119,36 @@ CallTable calls_of(const link_map& map) {
   return table;
 }
 
+/// Of a library that is loaded, lazily bound: symbols that neither it nor anybody it was loaded with defines.
+std::vector<std::string> missing_symbols(void* library, const std::string& path) {
+  std::vector<std::string> missing = wanted_symbols(path);
+  std::erase_if(missing, [library](const std::string& name) {
+    return dlsym(library, name.c_str()) || dlsym(RTLD_DEFAULT, name.c_str());
+  });
+  return missing;
+}
+
+/// From now on a call of one of them ends the call of the model, as leave_model, with its name; the loader would end
+/// the process.
+void stand_in_for(const std::vector<std::string>& missing, void* library) {
+  link_map* map = nullptr;
+  if (jump_slot == 0 || missing.empty() || ::dlinfo(library, RTLD_DI_LINKMAP, &map) != 0) return;
+  const CallTable table = calls_of(*map);
+  if (!table.relocations || !table.symbols || !table.strings) return;
+  for (std::size_t k = 0; k < table.bytes / sizeof(Elf64_Rela); ++k) {
+    const Elf64_Rela& call = table.relocations[k];
+    if (ELF64_R_TYPE(call.r_info) != jump_slot) continue;
+    const std::string name = table.strings + table.symbols[ELF64_R_SYM(call.r_info)].st_name;
+    if (std::find(missing.begin(), missing.end(), name) == missing.end()) continue;
+    const Routine routine = stand_in(name);
+    if (routine) std::memcpy(address(map->l_addr + call.r_offset), &routine, sizeof routine);
+  }
+}
+
 thread_local std::jmp_buf* way_back = nullptr;
 thread_local char words[256];
 
 }  // namespace
-
-std::string utilities_library() {
-  const char* name = "libassay_abaqus.so";
-  std::error_code code;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", code).parent_path();
-  for (const fs::path& candidate : {folder / name, folder / ASSAY_LIBRARY_FOLDER / name}) {
-    if (!code && fs::exists(candidate, code)) return candidate.lexically_normal().string();
-  }
-  return {};
-}
 
 LoadedLibrary load_foreign_library(const std::string& path, const std::string& folder) {
   static std::mutex guard;
@@ -139,29 +167,6 @@ LoadedLibrary load_foreign_library(const std::string& path, const std::string& f
     return incomplete[path] = {handle, missing};
   }
   throw LibraryError("cannot be loaded: " + message);
-}
-
-std::vector<std::string> missing_symbols(void* library, const std::string& path) {
-  std::vector<std::string> missing = wanted_symbols(path);
-  std::erase_if(missing, [library](const std::string& name) {
-    return dlsym(library, name.c_str()) || dlsym(RTLD_DEFAULT, name.c_str());
-  });
-  return missing;
-}
-
-void stand_in_for(const std::vector<std::string>& missing, void* library) {
-  link_map* map = nullptr;
-  if (jump_slot == 0 || missing.empty() || ::dlinfo(library, RTLD_DI_LINKMAP, &map) != 0) return;
-  const CallTable table = calls_of(*map);
-  if (!table.relocations || !table.symbols || !table.strings) return;
-  for (std::size_t k = 0; k < table.bytes / sizeof(Elf64_Rela); ++k) {
-    const Elf64_Rela& call = table.relocations[k];
-    if (ELF64_R_TYPE(call.r_info) != jump_slot) continue;
-    const std::string name = table.strings + table.symbols[ELF64_R_SYM(call.r_info)].st_name;
-    if (std::find(missing.begin(), missing.end(), name) == missing.end()) continue;
-    const Routine routine = stand_in(name);
-    if (routine) std::memcpy(address(map->l_addr + call.r_offset), &routine, sizeof routine);
-  }
 }
 
 std::string missing_words(const std::vector<std::string>& missing) {

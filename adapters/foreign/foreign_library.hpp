@@ -19,17 +19,6 @@ struct LoadedLibrary {
 /// folder: what GETOUTDIR answers; empty: that of the library. Throws LibraryError.
 LoadedLibrary load_foreign_library(const std::string& path, const std::string& folder = {});
 
-/// The companion library with the host's utility routines: beside the program, or in ../lib/assay/abaqus of it. Empty
-/// where it is not found.
-std::string utilities_library();
-
-/// Of a library that is loaded, lazily bound: symbols that neither it nor anybody it was loaded with defines.
-std::vector<std::string> missing_symbols(void* library, const std::string& path);
-
-/// From now on a call of one of them ends the call of the model, as leave_model, with its name; the loader would end
-/// the process.
-void stand_in_for(const std::vector<std::string>& missing, void* library);
-
 /// "calls trust_ and utol_, which nobody provides"; empty where nothing is missing.
 std::string missing_words(const std::vector<std::string>& missing);
 

@@ -28,8 +28,8 @@ const void* bridge_extension(const assay_material* table, const char* id) {
     static const assay_tangent tangent{sizeof(assay_tangent), Calls::tangent};
     if (std::string(id) == ASSAY_EXTENSION_TANGENT) return &tangent;
   }
-  if constexpr (requires { &Bridge::hold; }) {
-    static const HostAccess access = Calls::host_access_of();
+  if constexpr (std::is_base_of_v<AbaqusBridge, Bridge>) {
+    static const HostAccess access{sizeof(HostAccess), Calls::bridge_of};
     if (std::string(id) == host_access) return &access;
   }
   return nullptr;

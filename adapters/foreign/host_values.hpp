@@ -42,33 +42,20 @@ HostValues host_values_of(const ForeignModel& model);
 inline constexpr const char* host_access = "assay.host_access/1";
 struct HostAccess {
   std::size_t struct_size;
-  HostValues (*values)(void* self);
-  void (*hold)(void* self, const HostValues& values);
-  /// Of all instances: points that have elements of their own begin in the host's.
-  void (*keep_elements)(void* self);
-  /// Arrays with the widest fences, in calls of one point.
-  void (*widen)(void* self);
-  /// How many words the fences have in all.
-  std::size_t (*words)(void* self);
-  /// From now on fences hold these words in a call of one point, and writing there is no failure; as ever where empty.
-  void (*surround)(void* self, std::span<const double> words);
-  GuardedArrays::Beyond (*place_of)(void* self, std::size_t word);
-  /// Words that were written to since they were lent first.
-  std::vector<std::size_t> (*written)(void* self);
-  /// Of stateNew, from 1: components that some calls since then have written, and others have not.
-  std::vector<std::size_t> (*left_at_times)(void* self);
+  class AbaqusBridge& (*bridge_of)(void* self);
 };
 
-/// The words around the arrays of a bridge's calls.
+/// The words around the arrays of a bridge's calls of one point: where there are any, writing there is no failure.
 struct Surroundings {
   std::vector<double> words;                              ///< empty: the fences' own
-  std::vector<std::size_t> written;                       ///< in order
+  std::vector<std::size_t> written;                       ///< since they were lent first, in order
   std::vector<char> state_written = {}, state_left = {};  ///< of each component of the new state: by some call
 
   bool lent() const { return !words.empty(); }
   /// To the arrays of a call; after it.
   void lend(GuardedArrays& arrays) const { arrays.lend(words); }
   void take_back(GuardedArrays& arrays);
+  /// Of stateNew, from 1: components that some calls since then have written, and others have not.
   std::vector<std::size_t> left_at_times() const;
 };
 
@@ -131,7 +118,14 @@ class BeyondProbe {
 /// What the bridges of Abaqus' interfaces have in common.
 class AbaqusBridge {
  public:
+  virtual ~AbaqusBridge() = default;
   const HostValues& host_values() const { return host_; }
+  virtual void hold(const HostValues& values) = 0;
+  /// Of all instances: points that have elements of their own begin in the host's.
+  void keep_elements() { table_.counts_elements = false; }
+  /// Arrays with the widest fences, in calls of one point.
+  virtual void widen() = 0;
+  virtual const GuardedArrays& arrays_of_a_point() = 0;
   Surroundings& surroundings() { return surroundings_; }
 
  protected:

@@ -12,7 +12,7 @@
 
 namespace assay::adapters {
 
-class Umat : public AbaqusBridge {
+class Umat final : public AbaqusBridge {
  public:
   static std::vector<ForeignVariable> state_of(const ForeignModel& model);
 
@@ -26,9 +26,9 @@ class Umat : public AbaqusBridge {
   /// d cauchy / d F1 [Pa], 81 values, row by row, from DDSDDE. Throws PointFailure.
   void tangent(const PointStep& step, double* tangent);
 
-  void hold(const HostValues& values);
-  void widen();
-  const GuardedArrays& arrays_of_a_point() { return arrays_; }
+  void hold(const HostValues& values) override;
+  void widen() override;
+  const GuardedArrays& arrays_of_a_point() override { return arrays_; }
 
  private:
   /// Integers that are handed over by reference.

@@ -14,7 +14,7 @@
 
 namespace assay::adapters {
 
-class Vumat : public AbaqusBridge {
+class Vumat final : public AbaqusBridge {
  public:
   static constexpr std::size_t own_state = 9;
   static std::vector<ForeignVariable> state_of(const ForeignModel& model);
@@ -26,9 +26,9 @@ class Vumat : public AbaqusBridge {
   /// n points; arrays as in the ABI. Throws PointFailure.
   void update_batch(const assay_step& step, std::size_t n, const double* state0, double* state1, double* cauchy);
 
-  void hold(const HostValues& values);
-  void widen();
-  const GuardedArrays& arrays_of_a_point() { return block_of(1).arrays; }
+  void hold(const HostValues& values) override;
+  void widen() override;
+  const GuardedArrays& arrays_of_a_point() override { return block_of(1).arrays; }
 
  private:
   /// Arrays for batches of one size.

@@ -5,12 +5,12 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
 
 #include "adapters/process/shortage.hpp"
+#include "harness/numeric/number_text.hpp"
 
 namespace assay::adapters {
 
@@ -103,11 +103,6 @@ bool WorkerProcess::wait() {
 
 std::string WorkerProcess::how_it_ended() const {
   const Control& c = control();
-  const auto limit = [](double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return std::string(text);
-  };
   const std::string said = last_line(output()), words = words_of_end(c);
   const std::string heard = phase_words(static_cast<CallPhase>(c.phase.load())) +
                             (said.empty() ? "" : "; its last output: " + said) + missing_file_words(output());
@@ -117,9 +112,9 @@ std::string WorkerProcess::how_it_ended() const {
     case Death::exit:
       return words + ", without a result" + heard;
     case Death::time_limit:
-      return "did not return within " + limit(limits_.seconds) + " s" + heard;
+      return "did not return within " + rounded_text(limits_.seconds, 6) + " s" + heard;
     case Death::memory:
-      return "took more than " + limit(limits_.gigabytes) + " GB of memory" + heard;
+      return "took more than " + rounded_text(limits_.gigabytes, 6) + " GB of memory" + heard;
     case Death::given_up:
       return "was not waited for";
     case Death::lost:

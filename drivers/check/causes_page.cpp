@@ -2,7 +2,6 @@
 // What the causes mean that a check can name, for a terminal.
 #include <algorithm>
 #include <span>
-#include <sstream>
 
 #include "drivers/check/check.hpp"
 #include "drivers/format/yaml_lines.hpp"
@@ -15,13 +14,6 @@ namespace assay::drivers {
 namespace {
 
 constexpr std::string_view heading = "## ", fence = "```";
-
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> lines;
-  std::istringstream in{std::string(text)};
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
 
 /// Without the marks of emphasis, code and links that a terminal does not show.
 std::string plain(const std::string& markdown) {
@@ -87,14 +79,14 @@ std::string paged(std::span<const std::string> lines) {
 
 std::vector<std::string> explained_causes() {
   std::vector<std::string> causes;
-  for (const std::string& line : lines_of(causes_page())) {
+  for (const std::string& line : split(causes_page(), '\n')) {
     if (line.starts_with(heading)) causes.push_back(line.substr(heading.size()));
   }
   return causes;
 }
 
 std::string explained_cause(const std::string& cause) {
-  const std::vector<std::string> lines = lines_of(causes_page());
+  const std::vector<std::string> lines = split(causes_page(), '\n');
   const auto begin = std::ranges::find(lines, std::string(heading) + cause);
   if (begin == lines.end()) return {};
   const auto end = std::find_if(begin + 1, lines.end(), [](const auto& line) { return line.starts_with(heading); });

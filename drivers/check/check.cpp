@@ -116,6 +116,13 @@ std::vector<CheckedMaterial> check_each(const CheckOptions& options, std::size_t
   return all;
 }
 
+/// Throws InputError where a file of them would replace one that was read.
+void refuse_inputs_as_outputs(const CheckOptions& options) {
+  refuse_input_as_output(options.json, "--json");
+  refuse_input_as_output(options.junit, "--junit");
+  refuse_input_as_output(options.markdown, "--markdown");
+}
+
 CheckedMaterial check_one(const CheckOptions& options) {
   note_input(options.material);
   refuse_inputs_as_outputs(options);  // before a source is compiled and its description written
@@ -187,12 +194,6 @@ void refuse_unknown_parameters(const CheckOptions& options, const std::vector<Ch
 }
 
 }  // namespace
-
-void refuse_inputs_as_outputs(const CheckOptions& options) {
-  refuse_input_as_output(options.json, "--json");
-  refuse_input_as_output(options.junit, "--junit");
-  refuse_input_as_output(options.markdown, "--markdown");
-}
 
 void tell_check(const CheckOptions& options, const std::string& text, const std::string& json, const std::string& junit,
                 const std::string& markdown) {

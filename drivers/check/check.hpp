@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drivers/material/material_choice.hpp"
-#include "drivers/material/source_options.hpp"
+#include "drivers/material/source_description.hpp"
 
 namespace assay::drivers {
 
@@ -40,9 +40,6 @@ int check_methods(const CheckOptions& options);
 /// Takes the step of a replay file again, as it is and from a turned frame, then the test that failed. Returns 1 where
 /// it fails again, 0 where it does not. Throws InputError.
 int check_replay(const CheckOptions& options);
-
-/// Throws InputError where a file of them would replace one that was read.
-void refuse_inputs_as_outputs(const CheckOptions& options);
 
 /// What was found, as the options ask for it. Throws SystemError.
 void tell_check(const CheckOptions& options, const std::string& text, const std::string& json, const std::string& junit,

@@ -12,18 +12,17 @@ namespace assay::drivers {
 
 namespace {
 
-using adapters::HostAccess;
 using Words = std::vector<double>;
 using Places = std::vector<std::size_t>;
 
 /// An instance with wide fences, and steps whose answer is to be the same whatever stands there.
 class Look {
  public:
-  Look(const ResolvedMaterial& material, const HostAccess& access, const check::Effort& effort)
-      : material_(material.material.clone()), access_(access) {
-    access_.widen(material_.self());
-    words_ = Words(access_.words(material_.self()), 0.0);
-    access_.surround(material_.self(), words_);
+  Look(const ResolvedMaterial& material, const check::Effort& effort)
+      : material_(material.material.clone()), bridge_(*bridge_of(material_)) {
+    bridge_.widen();
+    words_ = Words(bridge_.arrays_of_a_point().fence_words(), 0.0);
+    bridge_.surroundings().words = words_;
     for (const double amplitude : check::amplitudes_of_first(effort)) add_steps(amplitude);
   }
 
@@ -45,13 +44,11 @@ class Look {
     return found;
   }
 
-  Places written() const { return access_.written(material_.self()); }
-  Places left_at_times() const { return access_.left_at_times(material_.self()); }
+  Places written() const { return bridge_.surroundings().written; }
+  Places left_at_times() const { return bridge_.surroundings().left_at_times(); }
 
   std::vector<adapters::GuardedArrays::Beyond> places_of(const Places& words) const {
-    std::vector<adapters::GuardedArrays::Beyond> places;
-    for (const std::size_t word : words) places.push_back(access_.place_of(material_.self(), word));
-    return places;
+    return mapped(words, [this](std::size_t word) { return bridge_.arrays_of_a_point().place_of(word); });
   }
 
  private:
@@ -69,7 +66,7 @@ class Look {
   }
 
   Answer answer(const RepeatedStep& step, const Words& words) {
-    access_.surround(material_.self(), words);
+    bridge_.surroundings().words = words;
     return answer_of(material_, step);
   }
 
@@ -125,7 +122,7 @@ class Look {
   }
 
   Material material_;
-  const HostAccess& access_;
+  adapters::AbaqusBridge& bridge_;
   std::vector<RepeatedStep> steps_;
   Words words_;        ///< zeros
   double stress_ = 1;  ///< the largest that was seen [Pa]
@@ -133,11 +130,11 @@ class Look {
 
 /// Whether anything is amiss; `closely`: what is read around the arrays, what is written there, and what is left of the
 /// state at times.
-std::optional<Beyonds> looked(const ResolvedMaterial& material, const HostAccess& access, const check::Effort& effort,
-                              bool closely, double limit_s) {
+std::optional<Beyonds> looked(const ResolvedMaterial& material, const check::Effort& effort, bool closely,
+                              double limit_s) {
   return made_elsewhere(
       [&] {
-        Look look(material, access, effort);
+        Look look(material, effort);
         Beyonds found;
         found.any = look.depends() || !look.written().empty() || !look.left_at_times().empty();
         if (!found.any || !closely) return found;
@@ -260,12 +257,11 @@ ForeignFinding judged_beyond(const Beyonds& found) {
 }
 
 std::optional<ForeignFinding> goes_beyond(const ResolvedMaterial& material, const check::Effort& effort) {
-  const HostAccess* const access = host_of(material.material);
-  if (!access || material.description.empty()) return std::nullopt;
+  if (!bridge_of(material.material) || material.description.empty()) return std::nullopt;
   constexpr double brief_s = 20, long_s = 60;
   const double limit_s = std::min(brief_s, read_description(material.description).limits.seconds);
-  std::optional<Beyonds> found = looked(material, *access, effort, false, limit_s);
-  if (found && found->any) found = looked(material, *access, effort, true, long_s);
+  std::optional<Beyonds> found = looked(material, effort, false, limit_s);
+  if (found && found->any) found = looked(material, effort, true, long_s);
   if (!found)
     return ForeignFinding{
         not_applicable(beyond_test, "the process in which it was looked for has ended, or took too long")};

@@ -10,24 +10,22 @@ namespace assay::drivers {
 
 namespace {
 
-using adapters::HostAccess;
-
 /// A body that is strained step by step, in an element.
 class Body {
  public:
   static constexpr int steps = 16;
 
-  Body(const Material& material, const HostAccess& access, int element, double strain, double pressure)
-      : material_(material), access_(access), host_(access.values(material.self())), strain_(strain) {
+  Body(const Material& material, int element, double strain, double pressure)
+      : material_(material), bridge_(*bridge_of(material)), host_(bridge_.host_values()), strain_(strain) {
     host_.element = element;
-    access_.hold(material_.self(), host_);
+    bridge_.hold(host_);
     state_ = check::state_at_rest(material_, pressure);
   }
 
   void step() {
     const check::Space space(material_);
     const auto F = [&](int at) { return space.stretch(strain_, static_cast<double>(at) / steps); };
-    access_.hold(material_.self(), host_);
+    bridge_.hold(host_);
     const double dt = 1.0 / steps;
     const Answer answer = answer_of(material_, {k_ * dt, dt, F(k_), F(k_ + 1), state_});
     state_ = state_in(answer);
@@ -40,7 +38,7 @@ class Body {
 
  private:
   const Material& material_;
-  const HostAccess& access_;
+  adapters::AbaqusBridge& bridge_;
   adapters::HostValues host_;
   double strain_;
   int k_ = 0;
@@ -48,12 +46,12 @@ class Body {
 };
 
 /// What two bodies answer, in an element each: one after the other, or in turn.
-std::vector<double> answers(const Material& material, const HostAccess& access, double strain, double pressure,
+std::vector<double> answers(const Material& material, double strain, double pressure,
                             const std::array<int, 2>& elements, bool in_turn) {
   constexpr double other_way = -0.7;  // so that each body knows which largest strain was its own
-  Body first(material, access, elements[0], strain, pressure);
+  Body first(material, elements[0], strain, pressure);
   for (int k = 0; !in_turn && k < Body::steps; ++k) first.step();
-  Body other(material, access, elements[1], other_way * strain, pressure);
+  Body other(material, elements[1], other_way * strain, pressure);
   for (int k = 0; k < Body::steps; ++k) {
     if (in_turn) first.step();
     other.step();
@@ -65,14 +63,13 @@ std::vector<double> answers(const Material& material, const HostAccess& access, 
 
 /// Whether two bodies, each with an element of its own, are as either of them alone, and with one for both are not.
 bool keeps_state_by_element(const ResolvedMaterial& material, double strain, double pressure) {
-  const HostAccess* const access = host_of(material.material);
-  if (!access || !(strain > 0)) return false;
+  if (!bridge_of(material.material) || !(strain > 0)) return false;
   constexpr double limit_s = 20;
   const auto rows = made_elsewhere(
       [&]() -> check::History {
         const Material body = material.material.clone();
         const auto of = [&](int one, int other, bool in_turn) {
-          return answers(body, *access, strain, pressure, {one, other}, in_turn);
+          return answers(body, strain, pressure, {one, other}, in_turn);
         };
         return {of(2, 3, false), of(7, 8, false), of(4, 5, true), of(6, 6, true)};  // that no test has used
       },

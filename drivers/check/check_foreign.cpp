@@ -117,12 +117,13 @@ Energies energies_along(const Material& material, std::size_t energy, const Tens
 
 }  // namespace
 
-const adapters::HostAccess* host_of(const Material& material) {
-  return material.extension<adapters::HostAccess>(adapters::host_access);
+adapters::AbaqusBridge* bridge_of(const Material& material) {
+  const auto* access = material.extension<adapters::HostAccess>(adapters::host_access);
+  return access ? &access->bridge_of(material.self()) : nullptr;
 }
 
 void keep_elements(const Material& material) {
-  if (const auto* access = host_of(material)) access->keep_elements(material.self());
+  if (auto* bridge = bridge_of(material)) bridge->keep_elements();
 }
 
 std::size_t place_in_state(const assay_material& table, const std::string& name) {

@@ -83,8 +83,8 @@ check::History history_of_others(const ResolvedMaterial& material, const check::
 
 // Models behind a foreign interface.
 
-/// The handle on what a bridge's host tells; null of what is no bridge.
-const adapters::HostAccess* host_of(const Material& material);
+/// The bridge of an instance; null of what is none to Abaqus' interfaces.
+adapters::AbaqusBridge* bridge_of(const Material& material);
 
 /// In the process of the check points have the element that its tests give them.
 void keep_elements(const Material& material);

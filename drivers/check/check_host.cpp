@@ -12,7 +12,6 @@ namespace assay::drivers {
 
 namespace {
 
-using adapters::HostAccess;
 using adapters::HostValues;
 
 constexpr double from_nothing = 1e6;   ///< of the largest stress, which is none then
@@ -41,17 +40,15 @@ std::size_t bridge_components(const ResolvedMaterial& material) {
 /// The same steps under one host after the other.
 class Hosts {
  public:
-  Hosts(const ResolvedMaterial& material, const HostAccess& access, double strain, double pressure)
+  Hosts(const ResolvedMaterial& material, double strain, double pressure)
       : material_(material.material.clone()),
-        access_(access),
-        usual_(access.values(material_.self())),
+        bridge_(*bridge_of(material_)),
+        usual_(bridge_.host_values()),
         own_(state_of_answer + bridge_components(material)) {
     constexpr int count = 8;
     constexpr double far = 30;  // as far beyond yield as the battery goes: the others stay elastic
-    for (const double amplitude : {strain, strain / far}) {
-      const auto more = repeated_steps(material_, amplitude, pressure, count);
-      steps_.insert(steps_.end(), more.begin(), more.end());
-    }
+    for (const double amplitude : {strain, strain / far})
+      append_all(steps_, repeated_steps(material_, amplitude, pressure, count));
     for (const RepeatedStep& step : steps_) {
       answers_.push_back(answer_of(material_, step));
       const double so_far = step.first ? 1e-300 : scales_.back();
@@ -65,10 +62,10 @@ class Hosts {
     HostEffect effect;
     for (std::size_t k = 0; k < steps_.size(); ++k) {
       if (variation.of_later_steps && steps_[k].first) continue;
-      access_.hold(material_.self(), other);
+      bridge_.hold(other);
       const Answer found = answer_of(material_, steps_[k]);
       const std::vector<double> of_other = variation.of_an_output ? tangent_of(steps_[k]) : std::vector<double>();
-      access_.hold(material_.self(), usual_);
+      bridge_.hold(usual_);
       if (variation.of_an_output) compare_tangents(tangent_of(steps_[k]), of_other, effect);
       // what is kept outside the state is no dependence
       if (!same_answer(found, answers_[k]) && same_answer(answer_of(material_, steps_[k]), answers_[k]))
@@ -114,7 +111,7 @@ class Hosts {
   }
 
   Material material_;
-  const HostAccess& access_;
+  adapters::AbaqusBridge& bridge_;
   HostValues usual_;
   std::size_t own_;  ///< where STATEV begins in an answer: what stands before are outputs, as energies by mass
   std::vector<RepeatedStep> steps_;
@@ -131,7 +128,7 @@ std::optional<Effects> tried(const ResolvedMaterial& material, double strain, do
   constexpr double limit_s = 30;
   return made_elsewhere(
       [&] {
-        Hosts hosts(material, *host_of(material.material), strain, pressure);
+        Hosts hosts(material, strain, pressure);
         Effects found;
         for (const HostVariation& variation : all) {
           found.emplace_back();
@@ -215,7 +212,7 @@ void judge_one(const HostVariation& variation, const HostEffect& effect, const s
 }  // namespace
 
 std::optional<ForeignFinding> depends_on_host(const ResolvedMaterial& material, double strain, double pressure) {
-  if (!host_of(material.material) || !material.foreign) return std::nullopt;
+  if (!bridge_of(material.material) || !material.foreign) return std::nullopt;
   const std::vector<HostVariation> all = host_variations(*material.foreign);
   const auto effects = effects_of(all, [&](const auto& some) { return tried(material, strain, pressure, some); });
   if (!effects) return ForeignFinding{not_applicable(host_test, "there are no steps that could be taken again")};

@@ -241,9 +241,7 @@ JunitSuite suite(const CheckedMaterial& checked, const std::string& given) {
 }  // namespace
 
 std::string check_junit(const std::vector<CheckedMaterial>& all, const std::string& name) {
-  std::vector<JunitSuite> suites;
-  for (const CheckedMaterial& checked : all) suites.push_back(suite(checked, name));
-  return junit_text(suites);
+  return junit_text(mapped(all, [&](const CheckedMaterial& checked) { return suite(checked, name); }));
 }
 
 }  // namespace assay::drivers

@@ -8,7 +8,7 @@
 #include "drivers/format/yaml_lines.hpp"
 #include "drivers/format/yaml_reader.hpp"
 #include "drivers/material/registry.hpp"
-#include "drivers/material/source_options.hpp"
+#include "drivers/material/source_description.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/system/input_file.hpp"

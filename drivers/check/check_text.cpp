@@ -61,9 +61,8 @@ std::string example_values(const CheckedMaterial& checked) {
 
 /// "depends on TEMP (2 % for +10), COORDS (...)"
 std::string dependences(const CheckedMaterial& checked) {
-  std::vector<std::string> all;
-  for (const Dependence& each : checked.depends_on) all.push_back(each.on + " (" + each.how + ")");
-  return "depends on " + joined(all);
+  const auto words = [](const Dependence& each) { return each.on + " (" + each.how + ")"; };
+  return "depends on " + joined(checked.depends_on, words);
 }
 
 /// "; 2 remarks": tests that pass and have something to say all the same.

@@ -50,10 +50,9 @@ bool begins_elsewhere(const ForeignVariable& v) {
 
 /// "vector", or "{kind: vector, initial: [1, 0, 0]}"
 std::string variable_words(const ForeignVariable& v) {
-  std::string kind = names_of(v.kind)[static_cast<std::size_t>(v.kind)];
+  std::string kind = word_of(v.kind);
   if (!begins_elsewhere(v)) return kind;
-  std::vector<std::string> numbers;
-  for (const double value : v.initial) numbers.push_back(number_text(value));
+  const std::vector<std::string> numbers = mapped(v.initial, number_text);
   return "{kind: " + kind + ", initial: " + (numbers.size() == 1 ? numbers[0] : "[" + joined(numbers) + "]") + "}";
 }
 

@@ -110,21 +110,14 @@ std::string ids_text(const TestGroup& group, const mpm::MethodReport& report) {
   return text;
 }
 
-std::string line_of_table(const std::vector<std::string>& cells) {
-  std::string line = "|";
-  for (const std::string& cell : cells) line += " " + cell + " |";
-  return line + "\n";
-}
-
 std::string cells_of(const MethodsRow& row, const std::vector<TestGroup>& groups) {
-  std::vector<std::string> cells;
-  for (const Names& names : row.names) cells.push_back(joined(names));
+  std::vector<std::string> cells = mapped(row.names, [](const Names& names) { return joined(names); });
   cells.push_back(std::to_string(row.methods));
   for (std::size_t k = 1; k < groups.size(); ++k) {
     const Verdict verdict = row.verdicts[groups[k][0]];
     cells.push_back(verdict == Verdict::not_applicable ? "-" : shown_verdict(verdict));
   }
-  return line_of_table(cells);
+  return markdown_line(cells);
 }
 
 }  // namespace
@@ -143,7 +136,7 @@ std::string methods_markdown(const CheckedMethods& checked) {
   page = wrapped(page + " In the table, - means not promised.", "", "", methods_page_width) + "\n";
   std::vector<std::string> head{"Formulation", "Basis", "Transfer", "Methods"};
   for (std::size_t k = 1; k < groups.size(); ++k) head.push_back(ids_text(groups[k], first));
-  page += line_of_table(head) + line_of_table(std::vector<std::string>(head.size(), "---"));
+  page += markdown_line(head) + markdown_line(std::vector<std::string>(head.size(), "---"));
   for (const MethodsRow& row : rows) page += cells_of(row, groups);
   return page;
 }

@@ -25,11 +25,7 @@ namespace {
 
 std::string line_of(const std::string& key, const std::string& value) { return key + ": " + value + "\n"; }
 
-std::string list_of(std::span<const double> numbers) {
-  std::vector<std::string> texts;
-  for (const double number : numbers) texts.push_back(yaml_number(number));
-  return "[" + joined(texts) + "]";
-}
+std::string list_of(std::span<const double> numbers) { return "[" + joined(numbers, yaml_number) + "]"; }
 
 std::string tensor_text(const Tensor& F) {
   std::vector<std::string> rows;

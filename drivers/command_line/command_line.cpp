@@ -85,14 +85,8 @@ InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   return unknown_word(who, "option", option_in(first), options_of(verb));
 }
 
-std::vector<std::string> names_of(const std::vector<AddedVerb>& verbs) {
-  std::vector<std::string> names;
-  for (const AddedVerb& verb : verbs) names.push_back(verb.name);
-  return names;
-}
-
 void refuse_unknown_verb(const std::string& word, const std::vector<AddedVerb>& verbs) {
-  const std::vector<std::string> known = names_of(verbs);
+  const std::vector<std::string> known = mapped(verbs, &AddedVerb::name);
   if (std::ranges::count(known, word) == 0) throw unknown_word("assay", "verb", word, known);
 }
 
@@ -233,7 +227,7 @@ int act(int argc, const char* const* argv) {
     if (verb.arguments.app.parsed())
       return verb.act(quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal);
   }
-  throw InputError("assay: no verb; known: " + joined(names_of(verbs)) + "; assay --help tells more");
+  throw InputError("assay: no verb; known: " + joined(verbs, &AddedVerb::name) + "; assay --help tells more");
 }
 
 int say(int status, const std::string& line) {

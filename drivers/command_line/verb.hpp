@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "drivers/findings/run_options.hpp"
-#include "drivers/material/source_options.hpp"
+#include "drivers/material/source_description.hpp"
 
 namespace CLI {
 class App;

@@ -48,15 +48,11 @@ std::vector<EffectEntry> of_runs() {
 // clang-format on
 #undef IF
 
-bool contains(const std::vector<std::string>& list, const std::string& name) {
-  return std::ranges::count(list, name) > 0;
-}
-
 EffectPart part_of(const EffectEntry& entry, const Problem& problem, const Composition& c) {
   EffectPart part{entry.name, entry.called_for(problem), entry.key, {}, {}, {}};
   if (part.is_there) part.key = entry.key_of(problem);
   for (const auto& pass : c.passes) {
-    if (contains(pass.effects, entry.name)) part.passes.push_back(pass.name);
+    if (is_one_of(entry.name, pass.effects)) part.passes.push_back(pass.name);
   }
   for (const mpm::ColumnUse& use : c.columns) {
     if (use.effect != entry.name) continue;
@@ -64,7 +60,7 @@ EffectPart part_of(const EffectEntry& entry, const Problem& problem, const Compo
     part.bytes_per_particle += use.bytes;
   }
   for (const mpm::GridFieldUse& use : c.grid_fields) {
-    if (!contains(use.effects, entry.name)) continue;
+    if (!is_one_of(entry.name, use.effects)) continue;
     part.grid_fields.push_back(use.name);
     part.bytes_per_node += use.bytes;
   }
@@ -80,7 +76,7 @@ StepWork work_of(const Problem& problem, const Composition& c) {
     const std::size_t times = mpm::times_a_step(pass, setup.method);
     work.column_bytes += particles * static_cast<double>(times * bytes_moved(pass, setup));
     for (const mpm::GridFieldUse& use : c.grid_fields) {
-      const auto is_its_own = [&pass](const std::string& name) { return contains(pass.grid_fields, name); };
+      const auto is_its_own = [&pass](const std::string& name) { return is_one_of(name, pass.grid_fields); };
       if (std::ranges::any_of(use.holds, is_its_own)) work.grid_bytes += nodes * static_cast<double>(times * use.bytes);
     }
     if (pass.updates_material) work.material_updates += static_cast<std::int64_t>(times * setup.seeds.size());
@@ -129,9 +125,7 @@ Composition composition_of(const Problem& problem) {
 }
 
 std::vector<std::string> names_of(const std::vector<mpm::Column>& columns) {
-  std::vector<std::string> names;
-  for (const mpm::Column column : columns) names.emplace_back(mpm::info(column).name);
-  return names;
+  return mapped(columns, [](mpm::Column column) { return std::string(mpm::info(column).name); });
 }
 
 std::vector<Observer> observers_of(const Problem& problem) {

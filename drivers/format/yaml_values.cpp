@@ -180,9 +180,7 @@ void read_only_rows(const Tree& map, const std::string& path, const YamlRows& ro
 }
 
 std::vector<std::string> names_of(const YamlRows& rows) {
-  std::vector<std::string> names;
-  for (const YamlRow& row : rows) names.emplace_back(row.name);
-  return names;
+  return mapped(rows, [](const YamlRow& row) { return std::string(row.name); });
 }
 
 std::string flow_map(const YamlRows& rows) { return "{" + joined(pairs_of(rows)) + "}"; }

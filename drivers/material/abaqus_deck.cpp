@@ -198,12 +198,6 @@ std::vector<DeckMaterial> materials_of(const std::vector<DeckBlock>& blocks, std
   return all;
 }
 
-std::string names_of_materials(const std::vector<DeckMaterial>& materials) {
-  std::vector<std::string> names;
-  for (const DeckMaterial& material : materials) names.push_back(material.name);
-  return joined(names);
-}
-
 void add_remarks(const std::vector<DeckBlock>& blocks, DeckMaterial& material) {
   const auto is_turned = [&](const DeckBlock& block) {
     return is_section(block) && !block.value("orientation").empty() &&
@@ -243,13 +237,13 @@ DeckMaterial read_deck(const std::string& file, const std::string& asked, const 
   }
   if (asked.empty() && all.size() > 1) {
     throw InputError({file}, "", "has several materials with *User Material: choose one by " + key,
-                     names_of_materials(all));
+                     joined(all, &DeckMaterial::name));
   }
   const auto is_asked = [&](const DeckMaterial& each) { return small_letters(each.name) == small_letters(asked); };
   const auto found = asked.empty() ? all.begin() : std::ranges::find_if(all, is_asked);
   if (found == all.end()) {
     throw InputError({file}, "", "has no material '" + one_line(asked, 80) + "' with *User Material",
-                     names_of_materials(all));
+                     joined(all, &DeckMaterial::name));
   }
   add_remarks(blocks, *found);
   found->warnings = std::move(left_out);

@@ -27,8 +27,7 @@ struct UnitWord {
 
 /// `value`: SI units in one of the model's.
 YamlRow unit_row(const char* name, double& value, const std::vector<UnitWord>& units) {
-  std::vector<std::string> words;
-  for (const UnitWord& unit : units) words.emplace_back(unit.word);
+  const std::vector<std::string> words = mapped(units, [](const UnitWord& unit) { return std::string(unit.word); });
   return {name,
           [=, &value](const Tree& tree, const std::string& key) {
             value = units[index_of(choice_value(tree, key, words), words)].si;
@@ -56,9 +55,8 @@ void read_host_fields(const Tree& tree, ForeignModel& model, Places& where) {
 }
 
 std::string host_fields_text(const ForeignModel& model) {
-  std::vector<std::string> pairs;
-  for (const auto& field : model.fields) pairs.push_back(yaml_scalar(field.name) + ": " + yaml_number(field.value));
-  return pairs.empty() ? "" : "{" + joined(pairs) + "}";
+  const auto pair = [](const auto& field) { return yaml_scalar(field.name) + ": " + yaml_number(field.value); };
+  return model.fields.empty() ? "" : "{" + joined(model.fields, pair) + "}";
 }
 
 YamlRow symmetry_row(ForeignModel& m) {
@@ -95,11 +93,7 @@ YamlRow components_row(ForeignModel& m) {
       m.components.push_back(std::stoi(choice_value(item, key, {"4", "6"})));
     if (m.components.empty()) refuse_value(tree, key, "must name 6, 4 or both");
   };
-  const auto written = [&m] {
-    std::vector<std::string> numbers;
-    for (const int n : m.components) numbers.push_back(std::to_string(n));
-    return flow_list(numbers);
-  };
+  const auto written = [&m] { return flow_list(mapped(m.components, [](int n) { return std::to_string(n); })); };
   return {"components", read, written, &m.components_are_said};
 }
 
@@ -172,8 +166,7 @@ const std::vector<std::string>& keys_of_abaqus() {
 std::string foreign_yaml(const ForeignModel& model) {
   ForeignModel m = model;
   Places unused;
-  const char* interface = names_of(m.interface)[static_cast<std::size_t>(m.interface)];
-  return std::string("interface: ") + interface + "\n" + yaml_lines_of(rows_of_all(m, unused)) +
+  return "interface: " + word_of(m.interface) + "\n" + yaml_lines_of(rows_of_all(m, unused)) +
          (m.interface == ForeignInterface::mfront ? "" : yaml_lines_of(rows_of_abaqus(m)));
 }
 

@@ -96,8 +96,7 @@ YamlRow initial_row(ForeignVariable& v, bool any_size) {
     v.initial = numbers_value(tree, key, 1, size);
   };
   const auto written = [&v] {
-    std::vector<std::string> numbers;
-    for (const double value : v.initial) numbers.push_back(yaml_number(value));
+    const std::vector<std::string> numbers = mapped(v.initial, yaml_number);
     return numbers.empty() ? "" : numbers.size() == 1 ? numbers.front() : flow_list(numbers);
   };
   return {"initial", read, written};

@@ -142,6 +142,47 @@ std::string with_character_named(const FortranSource& source, int line, const st
   return text + (!unseen.empty() ? ": the line " + unseen : other.empty() ? "" : ": " + other);
 }
 
+/// Whether the compiler has something to say of a line of the source; else it failed by itself.
+bool names_a_line(const std::string& said) {
+  const std::vector<CompilerMessage> all = messages_in(said, of_errors);
+  return std::any_of(all.begin(), all.end(), [](const CompilerMessage& each) { return each.where.line > 0; });
+}
+
+/// The first error that it names, at its place in the source or in what that includes; version: the compiler's.
+InputError refusal_of_compiler(const FortranSource& source, const std::string& version, const std::string& said) {
+  const std::vector<CompilerMessage> all = messages_in(said, of_errors);
+  std::vector<std::string> texts = mapped(all, [](const CompilerMessage& each) { return plain_message(each.text); });
+  std::erase(texts, "");
+  if (const std::string absent = library_not_found(said); !absent.empty()) {
+    return InputError({source.file}, "link",
+                      "the linker finds no library '" + one_line(absent, 80) + "': its lib" + one_line(absent, 80) +
+                          ".so or .a must be in a folder of the linker, or give the file");
+  }
+  if (all.empty()) return InputError({source.file}, "", "does not compile: " + one_line(said, 300));
+  Location where = all.front().where;
+  std::string text = texts.empty() ? "" : texts.front();
+  if (where.line == 0) where.file = source.file;  // the compiler names itself
+  if (where.file.starts_with("./") || where.file.find('/') == std::string::npos) {
+    where.file = (fs::path(source.file).parent_path() / where.file).lexically_normal().string();
+  }
+  if (where.file == source.file) text = with_character_named(source, where.line, text);
+  if (const auto place = place_of_own_include(source, where.file)) {
+    const std::string name = fs::path(where.file).filename().string();
+    where = *place;
+    text += "; " + name + " holds IMPLICIT REAL*8(A-H,O-Z), beside which there is no IMPLICIT NONE";
+  }
+  std::string more = texts.size() > 1 ? "; " + std::to_string(texts.size() - 1) + " more" : "";
+  if (source.has_cards) {
+    more +=
+        "; columns 73 to 80 hold the numbers of punched cards, which Abaqus reads as code: " + card_remedy(source.file);
+  } else if (source.cut_line > 0) {
+    more += "; what stands beyond column 132, as in line " + std::to_string(source.cut_line) + ", is cut";
+  } else if (!source.form.why.empty()) {
+    more += std::string("; it was taken for ") + word_of(source.form.form) + " form " + source.form.why;
+  }
+  return {where, "", "does not compile: " + text + more + " (" + version + ")"};
+}
+
 }  // namespace
 
 FortranCompiler find_fortran_compiler(const std::string& file) {
@@ -221,11 +262,6 @@ std::vector<std::string> compile_library(const FortranSource& source, const Fort
   throw refusal_of_compiler(source, compiler.version, end.said);
 }
 
-bool names_a_line(const std::string& said) {
-  const std::vector<CompilerMessage> all = messages_in(said, of_errors);
-  return std::any_of(all.begin(), all.end(), [](const CompilerMessage& each) { return each.where.line > 0; });
-}
-
 std::vector<std::string> warnings_in(const std::string& said) {
   // indices above a bound of 1 are an old way to declare arguments
   constexpr const char* seldom_meant[] = {"Missing actual argument", "Type mismatch ", "used uninitialized",
@@ -244,41 +280,6 @@ std::vector<std::string> warnings_in(const std::string& said) {
     if (!is_one_of(whole, warnings)) warnings.push_back(whole);
   }
   return warnings;
-}
-
-InputError refusal_of_compiler(const FortranSource& source, const std::string& version, const std::string& said) {
-  const std::vector<CompilerMessage> all = messages_in(said, of_errors);
-  std::vector<std::string> texts;
-  for (const CompilerMessage& each : all) texts.push_back(plain_message(each.text));
-  std::erase(texts, "");
-  if (const std::string absent = library_not_found(said); !absent.empty()) {
-    return InputError({source.file}, "link",
-                      "the linker finds no library '" + one_line(absent, 80) + "': its lib" + one_line(absent, 80) +
-                          ".so or .a must be in a folder of the linker, or give the file");
-  }
-  if (all.empty()) return InputError({source.file}, "", "does not compile: " + one_line(said, 300));
-  Location where = all.front().where;
-  std::string text = texts.empty() ? "" : texts.front();
-  if (where.line == 0) where.file = source.file;  // the compiler names itself
-  if (where.file.starts_with("./") || where.file.find('/') == std::string::npos) {
-    where.file = (fs::path(source.file).parent_path() / where.file).lexically_normal().string();
-  }
-  if (where.file == source.file) text = with_character_named(source, where.line, text);
-  if (const auto place = place_of_own_include(source, where.file)) {
-    const std::string name = fs::path(where.file).filename().string();
-    where = *place;
-    text += "; " + name + " holds IMPLICIT REAL*8(A-H,O-Z), beside which there is no IMPLICIT NONE";
-  }
-  std::string more = texts.size() > 1 ? "; " + std::to_string(texts.size() - 1) + " more" : "";
-  if (source.has_cards) {
-    more +=
-        "; columns 73 to 80 hold the numbers of punched cards, which Abaqus reads as code: " + card_remedy(source.file);
-  } else if (source.cut_line > 0) {
-    more += "; what stands beyond column 132, as in line " + std::to_string(source.cut_line) + ", is cut";
-  } else if (!source.form.why.empty()) {
-    more += std::string("; it was taken for ") + word_of(source.form.form) + " form " + source.form.why;
-  }
-  return {where, "", "does not compile: " + text + more + " (" + version + ")"};
 }
 
 }  // namespace assay::drivers

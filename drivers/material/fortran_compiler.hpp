@@ -31,15 +31,9 @@ std::vector<std::string> flags_for(const FortranSource& source, const FortranCom
 std::vector<std::string> compile_library(const FortranSource& source, const FortranCompiler& compiler,
                                          const std::string& folder, const std::string& library);
 
-/// Whether the compiler has something to say of a line of the source; else it failed by itself.
-bool names_a_line(const std::string& said);
-
 /// "x.f:12: 'n' is used uninitialized" of what it warns of and is seldom meant, each once. Its columns are those of the
 /// end of a line, and are left out.
 std::vector<std::string> warnings_in(const std::string& said);
-
-/// The first error that it names, at its place in the source or in what that includes; version: the compiler's.
-InputError refusal_of_compiler(const FortranSource& source, const std::string& version, const std::string& said);
 
 /// The folder of libraries and descriptions made from sources, CACHE/sources. Throws SystemError where there is none.
 std::string source_folder();

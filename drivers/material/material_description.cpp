@@ -148,6 +148,18 @@ MaterialDescription mfront_description(MaterialDescription description, const st
   return description;
 }
 
+/// Exported symbols that look like the entry points of UMATs and VUMATs.
+std::vector<std::string> subroutines_in(const std::vector<std::string>& symbols, const std::string& word) {
+  std::vector<std::string> found;
+  for (const std::string& symbol : symbols) {
+    const std::string name = small_letters(symbol);
+    const bool named = name == word || name == word + "_";
+    if (named) found.insert(found.begin(), symbol);
+    if (!named && name.starts_with(word + "_") && name.ends_with("_")) found.push_back(symbol);
+  }
+  return found;
+}
+
 /// Throws InputError where a library is one of those that need a description.
 void refuse_subroutines(const MaterialDescription& description, const std::vector<std::string>& symbols) {
   for (const std::string word : {"vumat", "umat"}) {
@@ -238,17 +250,6 @@ void refuse_undeclared_interface(const MaterialDescription& description) {
   }
 }
 
-std::vector<std::string> subroutines_in(const std::vector<std::string>& symbols, const std::string& word) {
-  std::vector<std::string> found;
-  for (const std::string& symbol : symbols) {
-    const std::string name = small_letters(symbol);
-    const bool named = name == word || name == word + "_";
-    if (named) found.insert(found.begin(), symbol);
-    if (!named && name.starts_with(word + "_") && name.ends_with("_")) found.push_back(symbol);
-  }
-  return found;
-}
-
 MaterialDescription description_of_library(const std::string& library, const std::string& table, const Location& where,
                                            const std::string& key) {
   MaterialDescription description;
@@ -263,7 +264,6 @@ MaterialDescription description_of_library(const std::string& library, const std
     if (!behaviours.empty()) return mfront_description(std::move(description), behaviours);
     refuse_subroutines(description, symbols);
   } catch (const adapters::LibraryError&) {
-    return description;
   }
   return description;
 }

@@ -70,7 +70,4 @@ MaterialDescription description_of_library(const std::string& library, const std
 /// a UMAT. A library that cannot be read is left to whoever loads it.
 void refuse_undeclared_interface(const MaterialDescription& description);
 
-/// Exported symbols that look like the entry points of UMATs and VUMATs.
-std::vector<std::string> subroutines_in(const std::vector<std::string>& symbols, const std::string& word);
-
 }  // namespace assay::drivers

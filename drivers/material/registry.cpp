@@ -214,8 +214,7 @@ MaterialSource find_material(const std::string& adapter, const Location& where, 
     source.table = adapters::builtin_table(adapter);
     return source;
   }
-  std::vector<std::string> known;
-  for (const RegisteredName& registered : names) known.push_back(registered.name);
+  const std::vector<std::string> known = mapped(names, &RegisteredName::name);
   throw InputError(where, key,
                    unknown("material '" + one_line(adapter, 80) + "'", adapter, known) + other_source(adapter),
                    joined(known));

@@ -48,25 +48,17 @@ std::optional<SourceEntry> entry_behind(const std::string& symbol, const std::ve
   return std::nullopt;
 }
 
-std::string symbols_text(const std::vector<SourceEntry>& entries) {
-  std::vector<std::string> names;
-  for (const SourceEntry& entry : entries) names.push_back(entry.symbol);
-  return joined(names);
-}
-
 SourceEntry asked_entry(const FortranSource& source, const std::vector<std::string>& symbols,
                         const std::vector<SourceEntry>& entries, const std::string& asked) {
-  for (const SourceEntry& entry : entries) {
-    if (entry.symbol == asked || fortran_name(entry.symbol) == fortran_name(asked)) return entry;
-  }
-  const auto exported = std::find_if(symbols.begin(), symbols.end(), [&](const std::string& symbol) {
-    return symbol == asked || fortran_name(symbol) == fortran_name(asked);
-  });
+  const auto is_asked = [&](const std::string& symbol) { return fortran_name(symbol) == fortran_name(asked); };
+  const auto entry = std::ranges::find_if(entries, is_asked, &SourceEntry::symbol);
+  if (entry != entries.end()) return *entry;
   const std::string quoted = "'" + one_line(asked, 80) + "' ";
   throw InputError({source.file}, "symbol",
-                   exported == symbols.end() ? quoted + "is no routine of it"
-                                             : quoted + "has neither the 37 arguments of a UMAT nor the 33 of a VUMAT",
-                   symbols_text(entries));
+                   quoted + (std::ranges::none_of(symbols, is_asked)
+                                 ? "is no routine of it"
+                                 : "has neither the 37 arguments of a UMAT nor the 33 of a VUMAT"),
+                   joined(entries, &SourceEntry::symbol));
 }
 
 InputError none_found(const FortranSource& source, const std::vector<FortranRoutine>& routines) {
@@ -137,7 +129,7 @@ SourceEntry entry_of_source(const FortranSource& source, const std::vector<std::
   if (entries.size() == 1) return entries.front();
   if (plain.size() == 1) return plain.front();
   throw InputError({source.file}, "", "has several entry points: choose one by " + key,
-                   symbols_text(plain.empty() ? entries : plain));
+                   joined(plain.empty() ? entries : plain, &SourceEntry::symbol));
 }
 
 const std::vector<std::string>& usual_arguments(ForeignInterface interface) {
@@ -173,9 +165,7 @@ bool is_plain_variable(const std::string& name) {
   return std::all_of(name.begin(), name.end(), [](char c) { return is_letter_or_digit(c) || c == '_'; });
 }
 
-std::string capital_name(ForeignInterface interface) {
-  return capital_letters(names_of(interface)[static_cast<std::size_t>(interface)]);
-}
+std::string capital_name(ForeignInterface interface) { return capital_letters(word_of(interface)); }
 
 std::optional<SourceEntry> entry_named(const FortranSource& source, const std::string& symbol) {
   return entry_behind(symbol, source.routines());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/material/source_options.hpp"
+#include "drivers/material/source_description.hpp"
 
 #include <algorithm>
 #include <cstdio>

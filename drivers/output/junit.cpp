@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/output/junit.hpp"
 
+#include <fmt/chrono.h>
+
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -24,21 +25,10 @@ std::string attribute(const char* name, const std::string& value) {
 }
 
 /// [s], as a decimal: schemas know no exponents.
-std::string decimal(double seconds) {
-  char text[64];
-  std::snprintf(text, sizeof text, seconds == 0 || seconds >= 0.1 ? "%.3f" : "%.6f", seconds);
-  return text;
-}
+std::string decimal(double seconds) { return fmt::format("{:.{}f}", seconds, seconds == 0 || seconds >= 0.1 ? 3 : 6); }
 
 /// "2026-11-20T22:38:27", UTC.
-std::string timestamp() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  char text[32];
-  gmtime_r(&now, &utc);
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &utc);
-  return text;
-}
+std::string timestamp() { return fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(std::time(nullptr))); }
 
 std::string case_text(const JunitCase& one) {
   const std::string head = "    <testcase" + attribute("classname", one.classname) + attribute("name", one.name) +

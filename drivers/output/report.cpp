@@ -8,6 +8,7 @@
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/html.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -157,11 +158,9 @@ std::string credibility_section(const Result& result) {
 
 std::string provenance_section(const Result& result) {
   const Provenance& from = result.provenance;
-  std::string libraries;
-  for (const std::string& library : from.libraries) libraries += (libraries.empty() ? "" : ", ") + escaped(library);
   std::string out = "<dl class=\"facts\">\n" + fact("assay", escaped(from.version)) +
                     fact("Commit", escaped(from.git)) + fact("Compiler", escaped(from.compiler)) +
-                    fact("Flags", escaped(from.flags)) + fact("Libraries", libraries) +
+                    fact("Flags", escaped(from.flags)) + fact("Libraries", joined(from.libraries, escaped)) +
                     fact("SHA-256 of the scene", escaped(from.scene_sha256));
   out += fact("Time", rounded_text(result.setup_s, 3) + "\u202fs set-up, " + rounded_text(result.wall_s, 3) +
                           "\u202fs steps, " + rounded_text(result.finish_s, 3) + "\u202fs pictures and files; " +

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "harness/motion/kinds/axis_aligned.hpp"
-#include "harness/numeric/stable_norm.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::drivers {
 

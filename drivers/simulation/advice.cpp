@@ -8,7 +8,6 @@
 #include "drivers/simulation/warnings.hpp"
 #include "drivers/text/numbers.hpp"
 #include "harness/check/march.hpp"
-#include "harness/stability/acoustic_tensor.hpp"
 #include "harness/stability/tangent_modulus.hpp"
 
 namespace assay::drivers {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "drivers/simulation/response_source.hpp"
-#include "harness/numeric/largest.hpp"
 #include "harness/numeric/norms.hpp"
 
 namespace assay::drivers {

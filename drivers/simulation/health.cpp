@@ -6,7 +6,7 @@
 #include <span>
 
 #include "drivers/text/numbers.hpp"
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::drivers {
 

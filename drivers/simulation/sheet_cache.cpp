@@ -16,7 +16,7 @@
 #include "drivers/system/whole_file.hpp"
 #include "drivers/text/sha256.hpp"
 #include "harness/history/point_driver.hpp"
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::drivers {
 

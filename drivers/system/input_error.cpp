@@ -84,12 +84,6 @@ InputError::InputError(const Location& where, const std::string& key, const std:
 
 std::string one_line(std::string_view text, std::size_t limit) { return printable(cut(text, limit)); }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string nearest(const std::string& mistyped, const std::vector<std::string>& known) {
   const std::string word = as_meant(without_unseen(mistyped));
   if (word.empty() || word.size() > 200) return {};

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "drivers/text/words.hpp"
+
 namespace assay::drivers {
 
 /// Where in a file something stands; line and column count from 1, 0 is unknown.
@@ -45,9 +47,6 @@ class FolderBusy : public SystemError {
 
 /// The text on one line, as printable() has it; what exceeds `limit` bytes is cut and marked by "...".
 std::string one_line(std::string_view text, std::size_t limit = 4096);
-
-/// "a, b, c".
-std::string joined(const std::vector<std::string>& words);
 
 /// The known word nearest to a mistyped one by edit distance, whatever cannot be seen in it; empty where none is near.
 std::string nearest(const std::string& mistyped, const std::vector<std::string>& known);

@@ -11,7 +11,7 @@
 #include "drivers/text/wrapped_text.hpp"
 #include "harness/history/point_driver.hpp"
 #include "harness/material/offer.hpp"
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::drivers {
 

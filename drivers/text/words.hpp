@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace assay::drivers {
@@ -67,11 +69,38 @@ std::vector<std::string> words_of() {
 /// The name of one of its values.
 std::string word_of(auto value) { return names_of(value)[static_cast<std::size_t>(value)]; }
 
+/// As a word of the shell, in quotes where it has more than letters, digits and what is `plain`.
+inline std::string shell_word(const std::string& word, std::string_view plain = "_./=:,+-") {
+  const auto is_plain = [&](char c) { return is_letter_or_digit(c) || plain.find(c) != plain.npos; };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
 /// "virtual_stress" as "virtual stress".
 inline std::string in_plain_words(std::string text) {
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
 }
+
+/// What `of` makes of each, in their order: a function of one, or a member.
+template <class Of>
+auto mapped(const auto& list, const Of& of) {
+  std::vector<std::decay_t<std::invoke_result_t<const Of&, decltype(*std::begin(list))>>> all;
+  for (const auto& each : list) all.push_back(std::invoke(of, each));
+  return all;
+}
+
+/// "a, b, c".
+inline std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+/// The same of what `of` makes of each.
+std::string joined(const auto& list, const auto& of) { return joined(mapped(list, of)); }
 
 /// Behind what is there already.
 template <class T>

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "drivers/text/numbers.hpp"
 
@@ -41,6 +42,13 @@ inline std::string measured_text(const std::optional<double>& value) {
 /// "1 test passed", "37 tests passed".
 inline std::string tests_passed(std::int64_t count) {
   return std::to_string(count) + (count == 1 ? " test passed" : " tests passed");
+}
+
+/// A line of a table in Markdown.
+inline std::string markdown_line(const std::vector<std::string>& cells) {
+  std::string line = "|";
+  for (const std::string& cell : cells) line += " " + cell + " |";
+  return line + "\n";
 }
 
 /// A line without blanks at its end.

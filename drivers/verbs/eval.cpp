@@ -23,7 +23,7 @@
 #include "drivers/system/whole_file.hpp"
 #include "drivers/tabulation/tabulation.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
-#include "harness/numeric/stable_norm.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::drivers {
 

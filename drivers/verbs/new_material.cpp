@@ -137,11 +137,8 @@ bool holds_package(const fs::path& prefix) {
   return false;
 }
 
-/// As a word of the shell.
-std::string shell_word(const std::string& word) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '/' || c == '+'; };
-  return std::ranges::all_of(word, plain) ? word : "'" + replaced(word, "'", "'\\''") + "'";
-}
+/// A path, as a word of the shell.
+std::string path_word(const std::string& path) { return shell_word(path, "_./+"); }
 
 /// The commands that build and run a new project, as they work from where their reader stands, a line each: into the
 /// folder, configure, build, test, run. CMake finds this program's package by itself where the program is the one on
@@ -154,12 +151,12 @@ std::string next_steps(const std::string& folder, const std::string& run) {
   std::string configure = "cmake -B build";
   if (!on_path || !holds_package(prefix_of(there.parent_path()))) {
     const fs::path prefix = prefix_of(here.parent_path());
-    configure += holds_package(prefix) ? " -D CMAKE_PREFIX_PATH=" + shell_word(prefix.string())
+    configure += holds_package(prefix) ? " -D CMAKE_PREFIX_PATH=" + path_word(prefix.string())
                                        : "   # with -D CMAKE_PREFIX_PATH=(where assay is installed)";
   }
-  const std::string command = on_path ? run : replaced(run, "assay run", shell_word(here.string()) + " run");
+  const std::string command = on_path ? run : replaced(run, "assay run", path_word(here.string()) + " run");
   // A name that begins with a hyphen would be an option.
-  return "  cd " + one_line(shell_word(folder.starts_with('-') ? "./" + folder : folder)) + "\n  " + configure +
+  return "  cd " + one_line(path_word(folder.starts_with('-') ? "./" + folder : folder)) + "\n  " + configure +
          "\n  cmake --build build\n  ctest --test-dir build  # assay check\n  " + command + "\n";
 }
 

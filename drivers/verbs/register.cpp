@@ -20,7 +20,7 @@
 #include "drivers/material/material_description.hpp"
 #include "drivers/material/material_text.hpp"
 #include "drivers/material/registry.hpp"
-#include "drivers/material/source_options.hpp"
+#include "drivers/material/source_description.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_error.hpp"

@@ -20,7 +20,7 @@
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/terminal.hpp"
 #include "harness/motion/kinds/vortex.hpp"
-#include "harness/sheet/force_error.hpp"
+#include "harness/sheet/sheet.hpp"
 
 namespace assay::drivers {
 

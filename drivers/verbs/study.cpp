@@ -49,9 +49,7 @@ struct StudyOptions {
 };
 
 StudyFindings findings_of(const Plan& plan, const CaseStore& store) {
-  std::vector<StudyCase> cases;
-  for (const PlannedCase& one : plan.cases) cases.push_back(store.read(one));
-  return analysed(plan, std::move(cases));
+  return analysed(plan, mapped(plan.cases, [&](const PlannedCase& one) { return store.read(one); }));
 }
 
 /// A line for every case that has ended, and the progress between them.

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "drivers/findings/run_options.hpp"
-#include "drivers/material/source_options.hpp"
+#include "drivers/material/source_description.hpp"
 
 namespace assay::drivers {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "harness/check/judge.hpp"
-#include "harness/numeric/stable_norm.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::check {
 

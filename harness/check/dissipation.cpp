@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "harness/check/samples.hpp"
+#include "harness/check/specimen.hpp"
 #include "harness/check/tests.hpp"
 #include "harness/check/work.hpp"
-#include "harness/numeric/stable_norm.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::check {
 

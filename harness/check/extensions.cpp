@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "harness/check/samples.hpp"
+#include "harness/check/specimen.hpp"
 #include "harness/check/tests.hpp"
 #include "harness/material/state_variable.hpp"
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 #include "harness/stability/wave_speed.hpp"
 
 namespace assay::check {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "harness/check/march.hpp"
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::check {
 
@@ -19,12 +19,6 @@ Limit limit_of(const Errors& e) {
   const double first = e[0] - e[1], second = e[1] - e[2];
   if (!(second > 0 && first > falling * second && e[2] < fallen * e[0])) return {e[2], {}};
   return {std::abs(e[2] - second * second / (first - second)), std::log2(first / second)};
-}
-
-std::string rounded(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
 }
 
 std::string how(const Limit& limit, const Errors& e, int steps) {

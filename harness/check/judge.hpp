@@ -8,6 +8,7 @@
 #include <string>
 
 #include "harness/check/battery.hpp"
+#include "harness/numeric/number_text.hpp"
 #include "harness/numeric/tensor.hpp"
 
 namespace assay::check {
@@ -45,7 +46,7 @@ Errors at_halved_steps(int steps, const auto& error_of) {
 }
 
 /// Two digits.
-std::string rounded(double value, int digits = 2);
+inline std::string rounded(double value, int digits = 2) { return rounded_text(value, digits); }
 
 /// "5.1 %", "110 %".
 std::string percent(double share);

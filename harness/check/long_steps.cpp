@@ -6,8 +6,7 @@
 
 #include "harness/check/judge.hpp"
 #include "harness/check/work.hpp"
-#include "harness/numeric/largest.hpp"
-#include "harness/numeric/stable_norm.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::check {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "harness/numeric/stable_norm.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::check {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/material/checked_update.hpp"
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::check {
 

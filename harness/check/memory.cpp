@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "harness/check/samples.hpp"
+#include "harness/check/specimen.hpp"
 #include "harness/check/tests.hpp"
 #include "harness/material/state_variable.hpp"
 

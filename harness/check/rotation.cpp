@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "harness/check/tests.hpp"
-#include "harness/numeric/stable_norm.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::check {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/check/samples.hpp"
+#include "harness/check/specimen.hpp"
 
 #include <algorithm>
 #include <functional>

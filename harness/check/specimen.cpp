@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "harness/check/judge.hpp"
-#include "harness/check/samples.hpp"
 
 namespace assay::check {
 

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is found out about a material before it is tested: its stiffness at rest, and how far it can be loaded.
+// What is found out about a material before it is tested: its stiffness at rest, and how far it can be loaded. And the
+// steps in the middle of its histories at which what it offers besides its stress is held against differences.
 #pragma once
 
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "harness/check/battery.hpp"
 #include "harness/check/march.hpp"
 #include "harness/check/stiffness.hpp"
+#include "harness/material/offer.hpp"
 
 namespace assay::check {
 
@@ -97,5 +100,27 @@ struct StiffnessOf {
 
 /// Those of a material whose response to small strains from rest is linear, the whole one last.
 std::vector<StiffnessOf> linear_stiffnesses(const Specimen& specimen);
+
+/// A step and its end.
+struct Sample : FailedStep {
+  Point end;
+};
+
+/// Of a history that turns while it is strained.
+std::vector<Sample> samples_of(const Specimen& specimen);
+
+/// Steps that no general history has: at rest; the last steps of histories whose principal stretches are equal, two or
+/// three of them, to rounding and to the last bit; a step in which a loaded body is held. Those that the material
+/// refuses are left out.
+std::vector<Sample> samples_beside_histories(const Specimen& specimen);
+
+/// Stored energy [J/m^3]; no number where the model fails.
+double stored_energy(const Offer<assay_energy>& form, const Tensor& F, const std::vector<double>& state);
+
+/// d f / d x at 0, by central differences of fourth order.
+template <class F>
+std::invoke_result_t<F, double> slope_of(const F& f, double h) {
+  return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h);
+}
 
 }  // namespace assay::check

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "harness/check/judge.hpp"
-#include "harness/numeric/stable_norm.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay::check {
 

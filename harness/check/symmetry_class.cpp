@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "harness/check/symmetry_axes.hpp"
+#include "harness/numeric/number_text.hpp"
 
 namespace assay::check {
 
@@ -117,9 +118,8 @@ std::string in_words(Vector3 axis) {
   if (axis(largest) < 0) axis = -axis;
   std::string text;
   for (int i = 0; i < 3; ++i) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%g", std::abs(axis(i)) < nothing ? 0 : std::round(digits * axis(i)) / digits);
-    text += (i ? ", " : "(") + std::string(number);
+    const double shown = std::abs(axis(i)) < nothing ? 0 : std::round(digits * axis(i)) / digits;
+    text += (i ? ", " : "(") + rounded_text(shown, 6);
   }
   return text + ")";
 }

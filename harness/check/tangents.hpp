@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/check/samples.hpp"
+#include "harness/check/specimen.hpp"
 
 namespace assay::check {
 

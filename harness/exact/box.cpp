@@ -8,7 +8,6 @@
 
 #include "harness/exact/box_stress.hpp"
 #include "harness/history/point_driver.hpp"
-#include "harness/numeric/cosine_rows.hpp"
 
 namespace assay {
 

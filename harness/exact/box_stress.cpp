@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
 #include <stdexcept>
 
 #include "harness/material/checked_update.hpp"
-#include "harness/numeric/cosine_rows.hpp"
 
 namespace assay {
 
@@ -18,6 +19,9 @@ constexpr double trial_periods = 2;                    ///< over which
 constexpr double share_a_step = 1e-3;                  ///< of a step, of what is asked of the whole
 constexpr double least_tolerance = 1e-13;              ///< of a step
 constexpr std::size_t piola_components[] = {0, 4, 8};  // 11, 22, 33 of nine
+
+/// sin(x)/x.
+double sinc(double x) { return std::abs(x) < 1e-8 ? 1 : std::sin(x) / x; }
 
 }  // namespace
 
@@ -159,6 +163,23 @@ std::int64_t BoxStress::material_calls() const {
   std::int64_t calls = calls_;
   for (const Troop& troop : histories_) calls += troop.calls();
   return calls;
+}
+
+CosineRows::CosineRows(int modes, std::span<const Interval> stretches) : modes_(static_cast<std::size_t>(modes)) {
+  using std::numbers::pi;
+  std::map<std::pair<double, double>, std::uint32_t> known;
+  for (const Interval& stretch : stretches) {
+    const auto [it, is_new] =
+        known.try_emplace({stretch.lower, stretch.upper}, static_cast<std::uint32_t>(mean_sine_.size()));
+    row_.push_back(it->second);
+    if (!is_new) continue;
+    const double middle = 0.5 * (stretch.lower + stretch.upper), half = 0.5 * pi * stretch.width();
+    for (int k = 0; k < modes; ++k) {  // the mean of exp(i k pi X) is that of its middle times sinc
+      mean_.push_back(std::cos(k * pi * middle) * sinc(k * half));
+      slope_.push_back(-k * pi * std::sin(k * pi * middle) * sinc(k * half));
+    }
+    mean_sine_.push_back(std::sin(pi * middle) * sinc(half));
+  }
 }
 
 }  // namespace assay

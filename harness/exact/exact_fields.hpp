@@ -25,7 +25,7 @@
 #include "harness/exact/response.hpp"
 #include "harness/motion/frame.hpp"
 #include "harness/motion/motion.hpp"
-#include "harness/numeric/in_pieces.hpp"
+#include "harness/numeric/parallel.hpp"
 
 namespace assay {
 

@@ -13,7 +13,6 @@
 
 #include "harness/exact/exact_fields.hpp"
 #include "harness/exact/polar_average.hpp"
-#include "harness/exact/ring_points.hpp"
 
 namespace assay {
 

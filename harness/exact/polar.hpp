@@ -2,6 +2,10 @@
 // The body force of a ring that turns, (24) to (33), from the baseline response of any material.
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "harness/motion/ring_kinematics.hpp"
 
 namespace assay {
@@ -22,5 +26,16 @@ Polar divergence_piola(const RingProfile& profile, double g, double R, const Ten
 /// term + R g'' h [m/s^2]; zero outside the ring.
 Polar body_force(const RingProfile& profile, const AmplitudeValue& g, double density, double R, const Tensor& tau,
                  const Tensor& dtau_dxi);
+
+/// Fixed reference points of a ring, grouped by radius: what depends on R alone is computed once for each radius.
+struct RingPoints {
+  std::vector<double> radius;                ///< distinct radii, ascending [m]
+  std::vector<std::uint32_t> ring;           ///< of each point: index of its radius
+  std::vector<double> cos_theta, sin_theta;  ///< of each point: reference angle Theta
+
+  RingPoints() = default;
+  /// X, Y: reference positions [m].
+  RingPoints(std::span<const double> X, std::span<const double> Y);
+};
 
 }  // namespace assay

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/exact/ring_moments.hpp"
+#include "harness/exact/polar_average.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/exact/ring_points.hpp"
+#include "harness/exact/polar.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/exact/shadow.hpp"
+#include "harness/exact/response.hpp"
 
 #include <algorithm>
 #include <map>
 
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay {
 

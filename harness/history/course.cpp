@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/history/course.hpp"
+#include "harness/history/history.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "harness/history/histories_elsewhere.hpp"
+#include "harness/history/history_trail.hpp"
 #include "harness/material/checked_update.hpp"
 #include "harness/material/offer.hpp"
 #include "harness/material/state_variable.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/history/history_trail.hpp"
 
-#include "harness/history/histories_elsewhere.hpp"
-
 namespace assay {
 
 Tensor HistoryTrail::cauchy(std::size_t k) const { return tensor_of(&rows[k * width]); }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,5 +29,23 @@ HistoryTrail follow(const Course& course, double xi, const HistoryOptions& optio
 
 /// The same in this process.
 HistoryTrail follow_here(const Course& course, double xi, const HistoryOptions& options, std::span<const double> times);
+
+/// Extension of this program's own tables of such a material.
+inline constexpr const char* histories_elsewhere_id = "assay.internal.histories_elsewhere";
+
+/// Longer recipes of paths stay here.
+inline constexpr std::size_t longest_recipe = std::size_t{1} << 21;
+
+struct HistoriesElsewhere {
+  std::uint32_t struct_size;
+  /// As march_coarsely and follow_here of this process; what they throw.
+  CoarseMarch (*coarse)(void* self, const Path& path, double end);
+  HistoryTrail (*follow)(void* self, const Course& course, double xi, const HistoryOptions& options,
+                         std::span<const double> times);
+  /// Begins histories in the process of that number; what comes back takes all of them to a time, and has one row each.
+  std::function<std::vector<HistoryTrail>(double to)> (*gather)(void* self, const Course& course,
+                                                                std::span<const double> xi,
+                                                                const HistoryOptions& options, int worker);
+};
 
 }  // namespace assay

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/history/regime.hpp"
+#include "harness/history/history.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "harness/history/histories_elsewhere.hpp"
+#include "harness/history/history_trail.hpp"
 
 namespace assay {
 

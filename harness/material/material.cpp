@@ -12,6 +12,7 @@
 #include "harness/material/state_variable.hpp"
 #include "harness/material/thrown.hpp"
 #include "harness/numeric/arithmetic.hpp"
+#include "harness/numeric/number_text.hpp"
 
 namespace assay {
 
@@ -29,11 +30,7 @@ std::string known_parameters(const assay_material& table) {
   return known.empty() ? "none" : known;
 }
 
-std::string shortest(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.15g", value);
-  return text;
-}
+std::string shortest(double value) { return rounded_text(value, 15); }
 
 std::string bounds_of(const assay_parameter& p) {
   if (std::isinf(p.lower) && std::isinf(p.upper)) return "be a number";

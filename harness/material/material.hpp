@@ -15,16 +15,22 @@
 
 namespace assay {
 
-/// A parameter that the material does not take. key(): its name, empty where no single one is to blame.
-class ParameterError : public std::runtime_error {
+/// what() is one sentence, key() names what is to blame, empty where no single thing is, and known() what that could
+/// be.
+class KeyedError : public std::runtime_error {
  public:
-  ParameterError(std::string key, const std::string& what, std::string known = {})
+  KeyedError(std::string key, const std::string& what, std::string known = {})
       : std::runtime_error(what), key_(std::move(key)), known_(std::move(known)) {}
   const std::string& key() const { return key_; }
   const std::string& known() const { return known_; }
 
  private:
   std::string key_, known_;
+};
+
+/// A parameter that the material does not take, by its name.
+struct ParameterError : KeyedError {
+  using KeyedError::KeyedError;
 };
 
 /// Why a table must be refused (other ABI major, struct too small, a missing function ...), in one sentence.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "harness/material/material.hpp"
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 #include "harness/numeric/tensor.hpp"
 
 namespace assay {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/numeric/interval.hpp"
+#include "harness/numeric/range.hpp"
 #include "harness/numeric/tensor.hpp"
 
 namespace assay {

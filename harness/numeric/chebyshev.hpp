@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/numeric/interval.hpp"
+#include "harness/numeric/range.hpp"
 
 namespace assay::chebyshev {
 

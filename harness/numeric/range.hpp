@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a number may be.
+// Intervals, and what a number may be.
 #pragma once
 
 #include <limits>
 #include <string>
 
 namespace assay {
+
+struct Interval {
+  double lower = 0, upper = 0;
+  double width() const { return upper - lower; }
+};
 
 /// A whole number is at most 2^53 in size.
 struct Range {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/sheet/curve.hpp"
+#include "harness/sheet/sheet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "harness/material/checked_update.hpp"
 #include "harness/numeric/central_difference.hpp"
 #include "harness/numeric/chebyshev.hpp"
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 #include "harness/sheet/sheet_build.hpp"
 
 namespace assay {

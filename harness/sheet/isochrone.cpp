@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/sheet/isochrone.hpp"
+#include "harness/sheet/sheet.hpp"
 
 #include <algorithm>
 #include <cmath>

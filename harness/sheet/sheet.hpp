@@ -20,11 +20,67 @@
 #include <variant>
 #include <vector>
 
+#include "harness/motion/motion.hpp"
+#include "harness/sheet/band.hpp"
 #include "harness/sheet/band_series.hpp"
-#include "harness/sheet/curve.hpp"
-#include "harness/sheet/isochrone.hpp"
 
 namespace assay {
+
+/// Chebyshev series on ranges of xi between kinks.
+class Isochrone {
+ public:
+  struct Range {
+    BandMap map;                       ///< xi <-> s
+    Interval s{0, 1};                  ///< the part of the band that the series covers
+    std::vector<int> active;           ///< components of tau that it has
+    std::vector<double> coefficients;  ///< [k * active + c]
+    std::size_t terms = 0;             ///< leading coefficients that matter
+    double upper = 0;                  ///< where it ends, in factor * xi
+
+    /// Drops what is rounding, notes the end.
+    void trim();
+  };
+
+  /// Ranges ascending, without gaps. factor: the series is in factor * xi (g(t) where a sheet is a curve in eps).
+  explicit Isochrone(std::vector<Range> ranges, double factor = 1);
+
+  /// Nine components of tau and of d tau / d xi at xi [Pa].
+  void at(double xi, Tensor& tau, Tensor& dtau_dxi) const;
+
+  /// tau 11, 12, 21, 22 of n values of xi, of those from first to last - 1: tau[c * n + i] [Pa].
+  void plane_tau(std::span<const double> xi, std::span<double> tau, std::size_t first, std::size_t last) const;
+
+  /// Values of xi at which histories of two regimes meet, ascending. A border at which a band was divided is none.
+  std::vector<double> kinks() const;
+
+ private:
+  const Range& range_of(double parameter) const;
+  std::size_t neighbours_from(std::span<const double> xi, const Range& range, double* x) const;
+  std::vector<Range> ranges_;
+  double factor_;
+};
+
+/// Chebyshev in eps = xi g(t).
+class Curve {
+ public:
+  /// n nodes over every eps that the path reaches until `end`. Throws MaterialFailure.
+  Curve(const Material& material, const Path& path, double end, int n);
+
+  Isochrone isochrone(double t) const;
+  Isochrone in_eps() const { return Isochrone({range_}); }  ///< tau and d tau / d eps
+  int nodes() const { return nodes_; }
+  Interval eps() const { return range_.map.xi; }
+  double left_out() const { return left_out_; }  ///< by the series, as its last terms tell [Pa]
+
+ private:
+  std::function<double(double)> amplitude_;
+  Isochrone::Range range_;
+  int nodes_ = 0;
+  double left_out_ = 0;
+};
+
+/// tau of one step from rest to each eps, 9 * n [Pa].
+std::vector<double> tau_of_eps(const Material& material, const Path& loading, std::span<const double> eps);
 
 /// How far the making of a sheet is. A second look for kinks, or a second round, begins again.
 struct SheetProgress {
@@ -83,5 +139,9 @@ class Sheet {
   std::int64_t calls_ = 0;
   bool restored_ = false, kinks_ = false;
 };
+
+/// Estimate of the error of b at a point, (32) and (33) with the sheet's stated errors in tau and d tau / d xi, over
+/// the largest |b| of the ring until `end`. density: rho0 [kg/m^3].
+double force_error(const Motion& motion, double density, const Sheet& sheet, double end);
 
 }  // namespace assay

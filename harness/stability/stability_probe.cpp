@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "harness/material/checked_update.hpp"
-#include "harness/numeric/stable_norm.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay {
 

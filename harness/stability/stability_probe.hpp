@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "harness/motion/path.hpp"
-#include "harness/stability/acoustic_tensor.hpp"
 #include "harness/stability/tangent_modulus.hpp"
 
 namespace assay {

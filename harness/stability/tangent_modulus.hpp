@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tangent modulus of a material's own step, by differences.
+// The tangent modulus of a material's own step, by differences; its acoustic tensor, and the extremes of that over all
+// directions.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,5 +34,13 @@ std::vector<TangentModulus> probe_tangent_moduli(const Material& material, doubl
 
 /// Size of differences that suits most materials [1].
 inline constexpr double difference_of_F = 1e-5;  ///< central: error about 1e-10 relative, round-off about 1e-11
+
+/// Smallest or largest eigenvalue of sym(N.A.N), (N.A.N)_ik = A_iJkL N_J N_L, over all unit vectors N.
+struct AcousticExtreme {
+  double value = 0;                  ///< [Pa]
+  Vector3 normal = Vector3::Zero();  ///< N, in the reference configuration
+};
+AcousticExtreme smallest_acoustic_eigenvalue(const TangentModulus& A);
+AcousticExtreme largest_acoustic_eigenvalue(const TangentModulus& A);
 
 }  // namespace assay

@@ -6,7 +6,7 @@
 
 #include "harness/history/point_driver.hpp"
 #include "harness/material/offer.hpp"
-#include "harness/stability/acoustic_tensor.hpp"
+#include "harness/stability/tangent_modulus.hpp"
 
 namespace assay {
 

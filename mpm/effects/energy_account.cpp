@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 #include "mpm/data/blocks.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/kernels/kernel_state.hpp"

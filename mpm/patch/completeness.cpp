@@ -3,7 +3,7 @@
 // L = sum v_i (x) grad phi_ip. Constant v_i: sum phi = 1, sum grad phi = 0. v_i = A x_i: sum phi x_i = x_p, L = A.
 #include <cmath>
 
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 #include "mpm/patch/patch.hpp"
 
 namespace assay::mpm {

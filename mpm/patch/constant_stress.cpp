@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/patch/patch.hpp"
 

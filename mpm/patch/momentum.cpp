@@ -2,7 +2,6 @@
 // One step without body force, particles of unequal mass, speed, F and stress on an irregular set.
 #include <cmath>
 
-#include "harness/numeric/largest.hpp"
 #include "harness/numeric/norms.hpp"
 #include "mpm/patch/patch.hpp"
 

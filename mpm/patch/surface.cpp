@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "harness/motion/kinds/homogeneous.hpp"
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 #include "mpm/patch/patch.hpp"
 #include "mpm/seeding/lattice.hpp"
 

@@ -144,7 +144,7 @@ void match_cases(const StudyFindings& A, const StudyFindings& B, Comparison& fou
 
 void warn_of_untimed(Comparison& found) {
   const auto untimed = std::ranges::count_if(found.cases, [](const ComparedCase& one) {
-    return one.standing == Standing::compared && one.cost.before.has_value() != one.cost.after.has_value();
+    return one.standing == Standing::compared && one.cost.a.has_value() != one.cost.b.has_value();
   });
   if (untimed > 0)
     found.warnings.push_back("the cost of " + std::to_string(untimed) + (untimed == 1 ? " case is" : " cases is") +
@@ -238,7 +238,7 @@ int Comparison::errors(int trend) const {
 }
 
 int Comparison::broken(bool mended) const {
-  return static_cast<int>(std::ranges::count(expectations, mended, &ComparedExpectation::mended));
+  return static_cast<int>(std::ranges::count(expectations, mended, &ComparedExpectation::holds));
 }
 
 bool Comparison::is_worse() const {

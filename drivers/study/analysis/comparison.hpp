@@ -20,12 +20,17 @@ inline constexpr double rounding_relative = 1e-6;
 inline constexpr double rounding_absolute = 1e-11;
 
 enum class Standing { compared, new_failure, fixed, still_fails, only_in_a, only_in_b };
+constexpr std::array<const char*, 6> names_of(Standing) {
+  return {"compared", "new_failure", "fixed", "still_fails", "only_in_a", "only_in_b"};
+}
 
 /// A figure in A and in B.
 struct ComparedFigure {
-  Figure before, after;
+  Figure a, b;
   double bound = 0;  ///< relative, of the smaller; differences below are noise or rounding
-  int trend = 0;     ///< -1: less, 1: more, beyond the bound; 0: the same, or not judged
+  int trend = 0;     ///< -1: less in B, 1: more, beyond the bound; 0: the same, or not judged
+
+  ASSAY_FIELDS(a, b, bound, trend)
 };
 
 struct ComparedCase {
@@ -39,6 +44,18 @@ struct ComparedCase {
   bool is_worse() const;
   bool is_better() const;
   bool is_same() const { return !is_worse() && !is_better() && standing == Standing::compared; }
+
+  static void fields(auto& self, auto& archive) {
+    archive("label", self.label);
+    archive("standing", self.standing);
+    archive("worse", self.is_worse());
+    archive("outcome_a", or_null(self.outcome_a));
+    archive("outcome_b", or_null(self.outcome_b));
+    archive("error", self.error);
+    archive("cost", self.cost);
+    archive("noise_measured", self.noise_measured);
+    archive("cost_judged", self.cost_judged);
+  }
 };
 
 /// The cheapest case that meets a level of error.
@@ -47,12 +64,22 @@ struct ComparedDigit {
   std::string a, b;         ///< labels; empty: none
   bool changed = false;     ///< not the same case
   bool told_apart = false;  ///< and in B the case of A is dearer beyond noise, or does not meet the level
+
+  static void fields(auto& self, auto& archive) {
+    archive("error", self.error);
+    archive("a", or_null(self.a));
+    archive("b", or_null(self.b));
+    archive("changed", self.changed);
+    archive("told_apart", self.told_apart);
+  }
 };
 
 /// An expectation that both studies have.
 struct ComparedExpectation {
   std::string where, key, expected, found;
-  bool mended = false;  ///< else broken
+  bool holds = false;  ///< in B, and not in A; or the reverse
+
+  ASSAY_FIELDS(where, key, expected, found, holds)
 };
 
 struct Comparison {

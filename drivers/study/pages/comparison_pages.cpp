@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "drivers/result/json_figure.hpp"
+#include "drivers/result/json_fields.hpp"
 #include "drivers/study/analysis/study_json.hpp"
 #include "drivers/study/pages/document.hpp"
 #include "drivers/study/pages/study_pages.hpp"
@@ -21,20 +20,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How a case stands: in JSON and in words, and of which study the words name the outcome.
+/// How a case stands, in words, and of which study they name the outcome.
 struct StandingWords {
-  const char *name, *words, *before = "";
+  const char *words, *before = "";
   std::string ComparedCase::*outcome = nullptr;
 };
 
 const StandingWords& words_for(Standing standing) {
   static const std::map<Standing, StandingWords> all{
-      {Standing::compared, {"compared", ""}},
-      {Standing::new_failure, {"new_failure", "NEW FAILURE", "", &ComparedCase::outcome_b}},
-      {Standing::fixed, {"fixed", "fixed", "was ", &ComparedCase::outcome_a}},
-      {Standing::still_fails, {"still_fails", "still fails", "", &ComparedCase::outcome_b}},
-      {Standing::only_in_a, {"only_in_a", "ONLY IN A", "", &ComparedCase::outcome_a}},
-      {Standing::only_in_b, {"only_in_b", "only in B", "", &ComparedCase::outcome_b}},
+      {Standing::compared, {""}},
+      {Standing::new_failure, {"NEW FAILURE", "", &ComparedCase::outcome_b}},
+      {Standing::fixed, {"fixed", "was ", &ComparedCase::outcome_a}},
+      {Standing::still_fails, {"still fails", "", &ComparedCase::outcome_b}},
+      {Standing::only_in_a, {"ONLY IN A", "", &ComparedCase::outcome_a}},
+      {Standing::only_in_b, {"only in B", "", &ComparedCase::outcome_b}},
   };
   return all.at(standing);
 }
@@ -52,7 +51,7 @@ std::vector<std::string> words_of(const ComparedCase& one) {
 
 /// The smallest difference of cost that counts, "6 %"; "25 %(1 run)"; "-".
 std::string noise_text(const ComparedCase& one) {
-  if (!one.cost.before || !one.cost.after || !one.cost_judged) return "-";
+  if (!one.cost.a || !one.cost.b || !one.cost_judged) return "-";
   return rounded_text(100 * one.cost.bound, 2) + (one.noise_measured ? " %" : " %(1 run)");
 }
 
@@ -68,11 +67,10 @@ constexpr std::size_t label_width = 32, words_width = 17, ratio_width = 10;
 
 /// Lines of at most the label's column, less a blank.
 std::vector<std::string> label_lines(const std::string& label) {
-  std::istringstream text(wrapped(label, "", "  ", label_width - 1));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(text, line);)
-    lines.push_back(line.size() < label_width ? line : one_line(line, label_width - 4));
-  return lines;
+  const std::string text = wrapped(label, "", "  ", label_width - 1);
+  return mapped(split(stripped(text, "\n"), '\n'), [](const std::string& line) {
+    return line.size() < label_width ? line : one_line(line, label_width - 4);
+  });
 }
 
 std::string comparison_line(const std::string& label, const std::string& words, const std::string& error,
@@ -133,32 +131,17 @@ std::string cell(const std::string& text) {
 
 std::string cell(const Figure& value) { return value ? rounded_text(*value, 4) : "-"; }
 
-Json compared_json(const ComparedFigure& figure) {
-  return Json::object({{"a", json_figure(figure.before)},
-                       {"b", json_figure(figure.after)},
-                       {"bound", json_figure(figure.bound)},
-                       {"trend", figure.trend}});
-}
-
 Json study_origin(const StoredStudy& study) {
   const Provenance& from = study.findings.provenance;
   return Json::object(
       {{"file", study.file}, {"title", study.findings.title}, {"version", from.version}, {"git", from.git}});
 }
 
-/// A list of what `json` makes of each.
-template <class T, class ToJson>
-Json list_of(const std::vector<T>& all, const ToJson& json) {
-  Json list = Json::array();
-  for (const T& each : all) list.push_back(json(each));
-  return list;
-}
-
 }  // namespace
 
 std::string ratio_text(const ComparedFigure& figure) {
-  if (!figure.before || !figure.after || (*figure.before == 0 && *figure.after != 0)) return "-";
-  const double ratio = *figure.before == *figure.after ? 1 : *figure.after / *figure.before;
+  if (!figure.a || !figure.b || (*figure.a == 0 && *figure.b != 0)) return "-";
+  const double ratio = *figure.a == *figure.b ? 1 : *figure.b / *figure.a;
   std::string text = rounded_text(ratio, 3);
   for (int digits = 4; text == "1" && figure.trend != 0 && digits < 9; ++digits) text = rounded_text(ratio, digits);
   return text;
@@ -196,7 +179,7 @@ std::string comparison_text(const StoredStudy& A, const StoredStudy& B, const Co
                      digit_lines(findings, found) + front_lines(found);
   for (const ComparedExpectation& one : found.expectations) {
     text += wrapped(one.where + ": " + one.key + " " + one.expected + ": found " + one.found,
-                    one.mended ? "holds again " : "FAILS now ", "  ");
+                    one.holds ? "holds again " : "FAILS now ", "  ");
   }
   for (const std::string& warning : found.warnings) text += wrapped(warning, "warning: ", "  ");
   return text + wrapped(comparison_verdict(found), "", "  ");
@@ -211,16 +194,16 @@ std::string comparison_markdown(const StoredStudy& A, const StoredStudy& B, cons
   page += "| Case | B against A | Error A | Error B | B/A | Cost A | Cost B | B/A | Noise |\n";
   page += "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const ComparedCase& one : found.cases) {
-    page += study_page::markdown_line({cell(one.label), cell(joined(words_of(one))), cell(one.error.before),
-                                       cell(one.error.after), ratio_text(one.error), cell(one.cost.before),
-                                       cell(one.cost.after), ratio_text(one.cost), noise_text(one)});
+    page += markdown_line({cell(one.label), cell(joined(words_of(one))), cell(one.error.a), cell(one.error.b),
+                           ratio_text(one.error), cell(one.cost.a), cell(one.cost.b), ratio_text(one.cost),
+                           noise_text(one)});
   }
   if (!found.digits.empty()) page += "\n| Error | Cheapest in A | Cheapest in B | |\n| --- | --- | --- | --- |\n";
   for (const ComparedDigit& digit : found.digits)
-    page += study_page::markdown_line({rounded_text(digit.error, 3), cell(digit.a), cell(digit.b), change_text(digit)});
+    page += markdown_line({rounded_text(digit.error, 3), cell(digit.a), cell(digit.b), change_text(digit)});
   if (!found.expectations.empty()) page += "\n";
   for (const ComparedExpectation& one : found.expectations)
-    page += std::string(one.mended ? "- holds again: " : "- **fails now**: ") + one_line(one.where) + ": `" + one.key +
+    page += std::string(one.holds ? "- holds again: " : "- **fails now**: ") + one_line(one.where) + ": `" + one.key +
             "` " + one.expected + ", found " + one.found + "\n";
   if (!found.warnings.empty()) page += "\n";
   for (const std::string& warning : found.warnings) page += "- Warning: " + warning + "\n";
@@ -233,32 +216,10 @@ std::string comparison_json(const StoredStudy& A, const StoredStudy& B, const Co
   out["verdict"] = comparison_verdict(found);
   out["a"] = study_origin(A);
   out["b"] = study_origin(B);
-  out["cases"] = list_of(found.cases, [](const ComparedCase& one) {
-    return Json{{"label", one.label},
-                {"standing", words_for(one.standing).name},
-                {"worse", one.is_worse()},
-                {"outcome_a", json_text(one.outcome_a)},
-                {"outcome_b", json_text(one.outcome_b)},
-                {"error", compared_json(one.error)},
-                {"cost", compared_json(one.cost)},
-                {"noise_measured", one.noise_measured},
-                {"cost_judged", one.cost_judged}};
-  });
-  out["digits"] = list_of(found.digits, [](const ComparedDigit& digit) {
-    return Json{{"error", json_figure(digit.error)},
-                {"a", json_text(digit.a)},
-                {"b", json_text(digit.b)},
-                {"changed", digit.changed},
-                {"told_apart", digit.told_apart}};
-  });
+  out["cases"] = JsonFields<Json>::of(found.cases);
+  out["digits"] = JsonFields<Json>::of(found.digits);
   out["front"] = Json::object({{"entered", found.entered}, {"left", found.left}});
-  out["expectations"] = list_of(found.expectations, [](const ComparedExpectation& one) {
-    return Json{{"where", one.where},
-                {"key", one.key},
-                {"expected", one.expected},
-                {"found", one.found},
-                {"holds", one.mended}};
-  });
+  out["expectations"] = JsonFields<Json>::of(found.expectations);
   out["warnings"] = found.warnings;
   out["load"] = Json::object({{"a", load_json(A.findings)}, {"b", load_json(B.findings)}});
   return json_document(out);

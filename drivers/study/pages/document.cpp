@@ -160,12 +160,6 @@ std::string terminal_line(const std::string& begin, const std::string& end) {
   return begin + wrapped(with_short_words(end, room), below, below).substr(below.size());
 }
 
-std::string markdown_line(const std::vector<std::string>& cells) {
-  std::string line = "|";
-  for (const std::string& cell : cells) line += " " + cell + " |";
-  return line + "\n";
-}
-
 std::string plain_markdown(const std::string& text) {
   std::string out;
   for (const char c : text) {

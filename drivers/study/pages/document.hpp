@@ -86,9 +86,6 @@ std::string terminal_line(const std::string& begin, const std::string& end);
 /// What begins a line, a blank at its end whatever its length.
 std::string terminal_column(const std::string& text, std::size_t width);
 
-/// A line of a table in Markdown.
-std::string markdown_line(const std::vector<std::string>& cells);
-
 /// Text that Markdown takes as it is, on one line.
 std::string plain_markdown(const std::string& text);
 

@@ -37,16 +37,6 @@ std::optional<std::int64_t> threads_of(const StudyCase& one) {
   return std::nullopt;
 }
 
-/// The word as the shell takes it.
-std::string shell_word(const std::string& word) {
-  if (!word.empty() &&
-      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=:,+-") == word.npos)
-    return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
-
 /// case.yaml holds all that the axes have set.
 std::string command_of(const StoredStudy& study, const StudyCase& one) {
   const std::string folder = study.case_folder(one);

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 #include <memory>
+#include <numeric>
 #include <set>
 
 #include "drivers/output/html.hpp"
@@ -108,9 +109,7 @@ std::unique_ptr<OutputFolder> folder_of_study(const fs::path& target) {
 
 /// Wall time of all repeats [s].
 double seconds_of(const StudyCase& one) {
-  double sum = 0;
-  for (const double seconds : one.clock.wall_s) sum += seconds;
-  return sum;
+  return std::accumulate(one.clock.wall_s.begin(), one.clock.wall_s.end(), 0.0);
 }
 
 JunitCase test_of(const StudyFindings& findings, const StudyCase& one) {

@@ -20,9 +20,7 @@ namespace {
 
 /// Columns of Markdown and HTML alone.
 std::vector<Column> columns_of(const std::vector<std::string>& heads) {
-  std::vector<Column> columns;
-  for (const std::string& head : heads) columns.push_back({"", "", head, head});
-  return columns;
+  return mapped(heads, [](const std::string& head) { return Column{"", "", head, head}; });
 }
 
 /// A head of a table in HTML that may be empty.

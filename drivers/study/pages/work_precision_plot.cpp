@@ -157,8 +157,7 @@ class Plot {
   void draw_curve(const WorkCurve& curve) {
     const Ink ink = curve.color ? Ink{Ink::Role::series, *curve.color} : faint_ink;
     for (const auto& run : curve.runs) {
-      std::vector<Point> line;
-      for (const WorkPoint& point : run) line.push_back(at(point));
+      const std::vector<Point> line = mapped(run, [this](const WorkPoint& point) { return at(point); });
       placer_.avoid(line);
       if (line.size() > 1) out_.line(line, ink, curve.color ? 2.6 : 1.2, curve.exact ? 4 : 0), out_.tip(curve.name);
       for (std::size_t i = 0; i < run.size(); ++i) {

@@ -22,10 +22,9 @@ bool is_scene_path(const std::string& path) {
   if (std::ranges::any_of(keys, [&](const Key& key) { return key.path == path; })) return true;
   const std::size_t dot = path.rfind('.');  // a value of a list
   if (dot != path.npos && is_index(path.substr(dot + 1))) return is_scene_path(path.substr(0, dot));
-  for (const Section& section : scene_sections()) {
-    if (path == section.path || (section.free_keys && path.starts_with(section.path + "."))) return true;
-  }
-  return false;
+  return std::ranges::any_of(scene_sections(), [&](const Section& section) {
+    return path == section.path || (section.free_keys && path.starts_with(section.path + "."));
+  });
 }
 
 void check_path(const std::string& path, const Location& where, const std::string& key) {
@@ -98,9 +97,7 @@ const Level* level_of(const StudyAxis& axis, const std::string& name) {
 /// Of axes, or of levels.
 template <class T>
 std::vector<std::string> names_in(const std::vector<T>& all) {
-  std::vector<std::string> names;
-  for (const T& each : all) names.push_back(one_line(each.name, 80));
-  return names;
+  return mapped(all, [](const T& each) { return one_line(each.name, 80); });
 }
 
 void check_level(const StudyAxis& axis, const std::string& value, const Location& where, const std::string& key) {
@@ -201,9 +198,7 @@ std::vector<StudyAxis> read_axes(const Tree& map) {
   if (map.entries.empty())
     throw InputError(map.where, "axes",
                      "is empty: write keys of the scene and their values, as grid.spacing: [0.1, 0.05]");
-  std::vector<StudyAxis> axes;
-  for (const Tree::Entry& entry : map.entries) axes.push_back(read_axis(entry));
-  return axes;
+  return mapped(map.entries, read_axis);
 }
 
 void read_list(const Tree& list, Study& study) {

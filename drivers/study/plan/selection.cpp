@@ -32,9 +32,7 @@ bool fulfils(const Condition& condition, const std::string* value) {
 std::vector<std::string> values_of(const Tree& tree, const std::string& path) {
   if (tree.kind != Tree::Kind::sequence) return {flow_text(tree)};
   if (tree.items.empty()) throw InputError(tree.where, path, "names no value");
-  std::vector<std::string> values;
-  for (const Tree& item : tree.items) values.push_back(flow_text(item));
-  return values;
+  return mapped(tree.items, flow_text);
 }
 
 void read_operator(const Tree& map, const std::string& path, Condition& condition) {

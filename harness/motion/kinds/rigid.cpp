@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "harness/motion/registry.hpp"
-#include "harness/numeric/stable_norm.hpp"
+#include "harness/numeric/norms.hpp"
 
 namespace assay {
 

@@ -74,15 +74,16 @@ TEST(HostValues, AreHandedOverUntilOthersAre) {
     const StepsOfOnePoint point(kinematic(words));
     const auto* access = point.material.extension<HostAccess>(host_access);
     ASSERT_NE(access, nullptr);
+    AbaqusBridge& bridge = access->bridge_of(point.material.self());
     const double usual = shear_stress(point);
-    HostValues other = access->values(point.material.self());
+    HostValues other = bridge.host_values();
     const HostValues before = other;
     other.temperature = other.length = 10;
     other.place = {0, 2, 0};
     other.fields = {10};
-    access->hold(point.material.self(), other);
+    bridge.hold(other);
     EXPECT_GT(std::abs(shear_stress(point) - usual), 1e-3 * usual) << words;
-    access->hold(point.material.self(), before);
+    bridge.hold(before);
     EXPECT_EQ(shear_stress(point), usual) << words;
   }
 }
@@ -91,23 +92,22 @@ TEST(Surroundings, AreReadByAModelThatReadsBeyond) {
   if (!double_exists("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
   ForeignModel model = kinematic("MORE_PROPS");
   const StepsOfOnePoint point(model);
-  const auto* access = point.material.extension<HostAccess>(host_access);
-  void* const self = point.material.self();
-  access->widen(self);
-  std::vector<double> words(access->words(self), 1.0);
+  AbaqusBridge& bridge = point.material.extension<HostAccess>(host_access)->bridge_of(point.material.self());
+  bridge.widen();
+  std::vector<double> words(bridge.arrays_of_a_point().fence_words(), 1.0);
   const auto plastic = [&] {
-    access->surround(self, words);
+    bridge.surroundings().words = words;
     return point.tried(0, 1, sheared(0), sheared(0.1)).cauchy(0, 1);
   };
   const double once = plastic();
   EXPECT_TRUE(std::isfinite(once));
   for (std::size_t w = 0; w < words.size(); ++w) {
-    const auto place = access->place_of(self, w);
+    const auto place = bridge.arrays_of_a_point().place_of(w);
     if (place.array == "PROPS" && place.index == 5) words[w] = 2;  // the yield stress
   }
   EXPECT_GT(plastic(), 1.5 * once);
-  EXPECT_TRUE(access->written(self).empty());
-  access->surround(self, {});
+  EXPECT_TRUE(bridge.surroundings().written.empty());
+  bridge.surroundings().words.clear();
   EXPECT_GT(point.tried(0, 1, sheared(0), sheared(0.1)).cauchy(0, 1), 3 * once) << "no number, which nothing exceeds";
 }
 

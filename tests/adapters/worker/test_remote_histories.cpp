@@ -5,7 +5,7 @@
 
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/worker/remote_table.hpp"
-#include "harness/exact/shadow.hpp"
+#include "harness/exact/response.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 #include "tests/adapters/foreign/foreign_doubles.hpp"
 #include "tests/support/wait.hpp"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "harness/exact/response_at_time.hpp"
+#include "harness/exact/response.hpp"
 
 namespace assay {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "harness/exact/exact_fields.hpp"
-#include "harness/exact/ring_points.hpp"
+#include "harness/exact/polar.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 #include "harness/numeric/central_difference.hpp"
 #include "tests/harness/elastic_material.hpp"

@@ -9,7 +9,6 @@
 
 #include "harness/exact/exact_fields.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
-#include "harness/numeric/cosine_rows.hpp"
 #include "harness/numeric/gauss.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/harness/elastic_material.hpp"

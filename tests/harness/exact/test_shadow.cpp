@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/exact/shadow.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/history/course.hpp"
+#include "harness/history/history.hpp"
 
 #include <gtest/gtest.h>
 

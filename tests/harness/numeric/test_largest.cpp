@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/numeric/largest.hpp"
+#include "harness/numeric/norms.hpp"
 
 #include <gtest/gtest.h>
 

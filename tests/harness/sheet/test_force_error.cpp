@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/sheet/force_error.hpp"
+#include "harness/sheet/sheet.hpp"
 
 #include <gtest/gtest.h>
 

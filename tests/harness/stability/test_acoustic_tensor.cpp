@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "harness/stability/acoustic_tensor.hpp"
+#include "harness/stability/tangent_modulus.hpp"
 
 #include <gtest/gtest.h>
 

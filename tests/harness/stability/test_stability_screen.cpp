@@ -11,7 +11,7 @@
 #include "harness/motion/kinds/deformation_table.hpp"
 #include "harness/motion/kinds/homogeneous.hpp"
 #include "harness/motion/kinds/vortex.hpp"
-#include "harness/stability/acoustic_tensor.hpp"
+#include "harness/stability/tangent_modulus.hpp"
 #include "tests/harness/builtin_material.hpp"
 #include "tests/harness/elastic_material.hpp"
 #include "tests/harness/jaumann_material.hpp"

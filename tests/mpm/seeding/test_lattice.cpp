@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "harness/exact/ring_points.hpp"
+#include "harness/exact/polar.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
 namespace assay::mpm::test_lattice {
