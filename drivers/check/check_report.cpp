@@ -23,25 +23,14 @@ concept Is = std::is_same_v<std::remove_const_t<T>, U>;
 
 // What JSON says, once for its writer and its reader.
 
-void describe(Is<Dependence> auto& each, auto&& json) {
-  json("on", each.on);
-  json("how", each.how);
-}
+void describe(Is<Dependence> auto& self, auto&& archive) { ASSAY_MEMBERS(on, how); }
 
-void describe(Is<check::Diagnosis> auto& each, auto&& json) {
-  json("cause", each.cause);
-  json("sentence", each.sentence);
-}
+void describe(Is<check::Diagnosis> auto& self, auto&& archive) { ASSAY_MEMBERS(cause, sentence); }
 
-void describe(Is<TestResult> auto& test, auto&& json) {
-  json("id", test.id);
-  json("verdict", test.verdict);
-  json("wall_s", test.wall_s);
-  json("measure", test.measure);
-  json("threshold", test.threshold);
-  json("order", test.order);
-  json.or_null("cause", test.cause);
-  json("sentence", test.sentence);
+void describe(Is<TestResult> auto& self, auto&& archive) {
+  ASSAY_MEMBERS(id, verdict, wall_s, measure, threshold, order);
+  archive.or_null("cause", self.cause);
+  ASSAY_MEMBERS(sentence);
 }
 
 void describe(Is<CheckedMaterial> auto& checked, auto&& json) {

@@ -43,9 +43,7 @@ struct StepWork {
   std::int64_t material_updates = 0;
 
   static void fields(auto& self, auto& archive) {
-    archive("column_bytes", self.column_bytes);
-    archive("grid_bytes", self.grid_bytes);
-    archive("material_updates", self.material_updates);
+    ASSAY_MEMBERS(column_bytes, grid_bytes, material_updates);
     archive("measured", false);
   }
 };
@@ -64,12 +62,9 @@ struct EffectPart {
     archive("doc", entry.doc);
     archive("key", or_null(self.key));
     archive("there", self.is_there);
-    archive("passes", self.passes);
-    archive("columns", self.columns);
-    archive("grid_fields", self.grid_fields);
+    ASSAY_MEMBERS(passes, columns, grid_fields);
     archive("asks_material", self.is_there && entry.asks_material);
-    archive("bytes_per_particle", self.bytes_per_particle);
-    archive("bytes_per_node", self.bytes_per_node);
+    ASSAY_MEMBERS(bytes_per_particle, bytes_per_node);
   }
 };
 

@@ -8,7 +8,8 @@
 //
 // A call names a value, a struct with fields or a list of them; with unit and doc, or unit, name and doc. A section is
 // an object of its own: of what a function names, or of a struct that may be absent, whose values are then null. Where
-// nothing is said of members but their own names, ASSAY_FIELDS(l2_end, l2_max) is all.
+// nothing is said of members but their own names, ASSAY_FIELDS(l2_end, l2_max) is all, or ASSAY_MEMBERS(l2_end, l2_max)
+// of some of them.
 #pragma once
 
 #include <array>
@@ -22,10 +23,9 @@
 #include <vector>
 
 #define ASSAY_FIELD(_, archive, member) archive(BOOST_PP_STRINGIZE(member), self.member);
-#define ASSAY_FIELDS(...)                                                              \
-  static void fields(auto& self, auto& archive) {                                      \
-    BOOST_PP_SEQ_FOR_EACH(ASSAY_FIELD, archive, BOOST_PP_VARIADIC_TO_SEQ(__VA_ARGS__)) \
-  }
+#define ASSAY_MEMBERS(...) BOOST_PP_SEQ_FOR_EACH(ASSAY_FIELD, archive, BOOST_PP_VARIADIC_TO_SEQ(__VA_ARGS__))
+#define ASSAY_FIELDS(...) \
+  static void fields(auto& self, auto& archive) { ASSAY_MEMBERS(__VA_ARGS__) }
 
 namespace assay::drivers {
 

@@ -46,15 +46,11 @@ struct ComparedCase {
   bool is_same() const { return !is_worse() && !is_better() && standing == Standing::compared; }
 
   static void fields(auto& self, auto& archive) {
-    archive("label", self.label);
-    archive("standing", self.standing);
+    ASSAY_MEMBERS(label, standing);
     archive("worse", self.is_worse());
     archive("outcome_a", or_null(self.outcome_a));
     archive("outcome_b", or_null(self.outcome_b));
-    archive("error", self.error);
-    archive("cost", self.cost);
-    archive("noise_measured", self.noise_measured);
-    archive("cost_judged", self.cost_judged);
+    ASSAY_MEMBERS(error, cost, noise_measured, cost_judged);
   }
 };
 
@@ -69,8 +65,7 @@ struct ComparedDigit {
     archive("error", self.error);
     archive("a", or_null(self.a));
     archive("b", or_null(self.b));
-    archive("changed", self.changed);
-    archive("told_apart", self.told_apart);
+    ASSAY_MEMBERS(changed, told_apart);
   }
 };
 

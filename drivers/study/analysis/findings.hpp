@@ -88,8 +88,7 @@ struct StudyFindings {
   bool holds() const;  ///< all that was expected does, no case is missing and none ended badly
 
   static void fields(auto& self, auto& archive) {
-    archive("title", self.title);
-    archive("question", self.question);
+    ASSAY_MEMBERS(title, question);
     archive("answer", std::string(self.asks_survival ? "survival" : "cost"));
     archive.section("error", [&](auto& error) {
       error("key", self.error_key);
@@ -102,16 +101,7 @@ struct StudyFindings {
       cost("unit", self.cost_unit);
     });
     archive("refine", self.refine_key);
-    archive("axes", self.axes);
-    archive("cases", self.cases);
-    archive("series", self.series);
-    archive("front", self.front);
-    archive("work_front", self.work_front);
-    archive("digits", self.digits);
-    archive("budget", self.budget);
-    archive("expect", self.expect);
-    archive("warnings", self.warnings);
-    archive("machines", self.machines);
+    ASSAY_MEMBERS(axes, cases, series, front, work_front, digits, budget, expect, warnings, machines);
     archive("load", load_of(self));
     archive("provenance", self.provenance);
     archive("study", self.study_yaml);
