@@ -14,9 +14,9 @@
 
 #include "harness/motion/annulus.hpp"
 #include "harness/motion/exact_state.hpp"
-#include "harness/motion/motion_keys.hpp"
 #include "harness/motion/path.hpp"
 #include "harness/motion/ring_kinematics.hpp"
+#include "harness/numeric/keys.hpp"
 
 namespace assay {
 
@@ -40,6 +40,27 @@ class PolarMotion {
     return [](double R) { return std::vector{R}; };
   }
 };
+
+/// What is wrong with a value of a scene.
+struct MotionFault {
+  std::string key;  ///< "motion.inner"
+  std::string what;
+};
+
+/// Whether motion.axis is zero.
+inline std::optional<MotionFault> fault_of_axis(const Vector3& axis) {
+  if (axis != Vector3::Zero()) return std::nullopt;
+  return MotionFault{"motion.axis", "must not be zero"};
+}
+
+inline void period_key(Keys& keys, double& period) {
+  keys("period", "time T of the motion [s]; with motion.path, T is the time of the last row", period,
+       {.range = positive});
+}
+
+inline void axis_key(Keys& keys, Vector3& axis) {
+  keys("axis", "axis of the rotation; need not be a unit vector", axis);
+}
 
 /// In what a motion is used: what its own check depends on.
 struct MotionUse {

@@ -17,4 +17,9 @@ std::shared_ptr<ExactInstant> fields_of_particles(const State<2>& s, const Asked
 /// b of the exact motion.
 Kernel body_force_kernel(State<2>& s, Evaluation evaluation);
 
+/// v += dt a, and of affine transfers C += dt grad a (by the current position; in the total formulation by the
+/// reference one), a of the exact motion at the particle's reference position; b <- b - a [m/s^2]. Needs b. The virtual
+/// stress wants it, too.
+Pass<2> inertia_pass(const Method& method, bool accounts);
+
 }  // namespace assay::mpm

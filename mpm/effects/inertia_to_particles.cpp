@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/effects/inertia_to_particles.hpp"
+// The inertia of the exact motion given to the particles themselves, so that the grid carries the rest of b alone.
+#include "mpm/effects/body_force.hpp"
 
 #include "mpm/data/blocks.hpp"
 #include "mpm/kernels/affine.hpp"

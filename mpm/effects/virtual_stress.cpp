@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/effects/body_force.hpp"
-#include "mpm/effects/inertia_to_particles.hpp"
 #include "mpm/effects/tractions.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/kernels/kernel_state.hpp"

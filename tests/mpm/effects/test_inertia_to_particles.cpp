@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/effects/inertia_to_particles.hpp"
+#include "mpm/effects/body_force.hpp"
 
 #include "harness/motion/kinds/vortex.hpp"
 #include "tests/mpm/vortex_setup.hpp"
