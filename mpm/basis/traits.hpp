@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is asked of a basis: its class answers, and nobody asks for its name.
+// What is asked of a basis. Its class answers, so that nobody needs to ask for its name.
 #pragma once
 
 #include <cstddef>

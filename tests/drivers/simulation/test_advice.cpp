@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <regex>
 
@@ -116,11 +117,14 @@ TEST(Advice, OfARefusedSceneMakesOneThatIsAcceptedAndLives) {
 /// Sources that judge a scene, and those whose sentences are tried by tests of their own here.
 TEST(Advice, OfEveryRefusalIsTried) {
   std::size_t found = 0;
-  for (const char* file :
-       {"mpm/setup/method.cpp", "drivers/scene/scene_check.cpp", "drivers/simulation/body_faces.cpp"}) {
-    std::string source = bytes_of(std::string(ASSAY_SOURCE_DIR "/") + file);
+  const std::string tree = ASSAY_SOURCE_DIR "/";
+  Sets files{tree + "mpm/setup/method.cpp", tree + "drivers/scene/scene_check.cpp",
+             tree + "drivers/simulation/body_faces.cpp"};
+  for (const auto& basis : std::filesystem::directory_iterator(tree + "mpm/basis")) files.push_back(basis.path());
+  for (const std::string& file : files) {
+    std::string source = bytes_of(file);
     source = std::regex_replace(source, std::regex("\"\\s*\n\\s*\""), "");  // strings in two pieces
-    const std::regex advice(": ((?:take|set) [^\"]*)\"");
+    const std::regex advice(": ((?:take|set) [^\"]+)\"");
     for (std::sregex_iterator at(source.begin(), source.end(), advice), end; at != end; ++at, ++found) {
       const std::string says = (*at)[1];
       const auto cases = refused();
