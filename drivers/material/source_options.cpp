@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// A Fortran source on the command line: what was given, and what is told of it.
 #include "drivers/material/source_description.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The steps in the middle of a history at which a model is held against differences.
 #include "harness/check/specimen.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Integrals of X f(R) over the part in the ring of each of many reference domains, for any function f of the radius.
 #include "harness/exact/polar_average.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Fixed reference points of a ring, grouped by radius.
 #include "harness/exact/polar.hpp"
 
 #include <algorithm>

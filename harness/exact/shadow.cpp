@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Shadow points: histories that are integrated alongside a run, at its own time levels.
 #include "harness/exact/response.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// A material on a path, prepared for any number of histories.
 #include "harness/history/history.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Which branch of its response a step of a material took: elastic, plastic, damaging ...
 #include "harness/history/history.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// tau(eps) of a material whose stress is a function of F alone, on a straight family of paths.
 #include "harness/sheet/sheet.hpp"
 
 #include <algorithm>

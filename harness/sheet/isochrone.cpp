@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The isochrone of a sheet, tau(xi) at one time: what it is cut into for the many points of a step.
 #include "harness/sheet/sheet.hpp"
 
 #include <algorithm>

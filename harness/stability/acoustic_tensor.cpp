@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The acoustic tensor of a tangent modulus, and its extremes over all directions.
 #include "harness/stability/tangent_modulus.hpp"
 
 #include <Eigen/Eigenvalues>
