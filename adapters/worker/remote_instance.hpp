@@ -16,7 +16,7 @@
 #include "adapters/worker/operations.hpp"
 #include "adapters/worker/remote_table.hpp"
 #include "adapters/worker/table_pack.hpp"
-#include "harness/history/history_trail.hpp"
+#include "harness/history/history.hpp"
 #include "harness/material/material.hpp"
 #include "harness/material/material_failure.hpp"
 #include "harness/material/thrown.hpp"

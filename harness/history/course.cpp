@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "harness/history/history_trail.hpp"
 #include "harness/material/checked_update.hpp"
 #include "harness/material/offer.hpp"
 #include "harness/material/state_variable.hpp"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One history: a material taken along F(xi, t) of one xi, with error control. What all histories of a material on a path
-// have in common is a Course; a RegimeReader tells which branch of its response a step took: elastic, plastic, damaging.
+// One history: a material taken along F(xi, t) of one xi, with error control. What all histories of a material on a
+// path have in common is a Course; a RegimeReader tells which branch of its response a step took: elastic, plastic,
+// damaging.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -84,7 +86,7 @@ enum class Form {
 
 /// What tells that the regime of a history changes.
 enum class Telling {
-  state,  ///< the material's state (regime.hpp)
+  state,  ///< the material's state, by a RegimeReader
   /// The sign of s : d, s = dev sigma, d = sym(Fdot F^-1). Where it changes s passes near zero, and a flow that goes as
   /// |s|^(n-1) s, n no odd number, is nearly not smooth.
   power
@@ -194,6 +196,43 @@ class History {
   std::vector<double> y_;  ///< 9 components of the Cauchy stress, then the state
   std::unique_ptr<Increments> increments_;
   std::unique_ptr<Rates> rates_;
+};
+
+/// What a history was at given times.
+struct HistoryTrail {
+  std::size_t width = 9;          ///< of a row: 9 components of the Cauchy stress, then the state
+  std::vector<double> rows = {};  ///< one for each time
+  std::vector<Branch> branches = {};
+  bool flickers = false;
+  double error = 0;
+  std::int64_t calls = 0;
+
+  std::span<const double> row(std::size_t k) const { return std::span(rows).subspan(k * width, width); }
+  Tensor cauchy(std::size_t k) const;  ///< [Pa]
+};
+
+/// From rest to the last of the ascending times; where the model lives. Throws MaterialFailure.
+HistoryTrail follow(const Course& course, double xi, const HistoryOptions& options, std::span<const double> times);
+
+/// The same in this process.
+HistoryTrail follow_here(const Course& course, double xi, const HistoryOptions& options, std::span<const double> times);
+
+/// Extension of this program's own tables of such a material.
+inline constexpr const char* histories_elsewhere_id = "assay.internal.histories_elsewhere";
+
+/// Longer recipes of paths stay here.
+inline constexpr std::size_t longest_recipe = std::size_t{1} << 21;
+
+struct HistoriesElsewhere {
+  std::uint32_t struct_size;
+  /// As march_coarsely and follow_here of this process; what they throw.
+  CoarseMarch (*coarse)(void* self, const Path& path, double end);
+  HistoryTrail (*follow)(void* self, const Course& course, double xi, const HistoryOptions& options,
+                         std::span<const double> times);
+  /// Begins histories in the process of that number; what comes back takes all of them to a time, and has one row each.
+  std::function<std::vector<HistoryTrail>(double to)> (*gather)(void* self, const Course& course,
+                                                                std::span<const double> xi,
+                                                                const HistoryOptions& options, int worker);
 };
 
 }  // namespace assay

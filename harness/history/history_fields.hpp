@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/history/history_trail.hpp"
+#include "harness/history/history.hpp"
 #include "harness/numeric/number_archive.hpp"
 
 namespace assay {

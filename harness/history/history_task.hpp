@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/history/history_trail.hpp"
+#include "harness/history/history.hpp"
 
 namespace assay {
 

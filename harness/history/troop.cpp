@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "harness/history/history_trail.hpp"
+#include "harness/history/history.hpp"
 
 namespace assay {
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <thread>
 
-#include "harness/history/history_trail.hpp"
+#include "harness/history/history.hpp"
 
 namespace assay {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/history/history_trail.hpp"
+#include "harness/history/history.hpp"
 #include "harness/numeric/chebyshev.hpp"
 
 namespace assay {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/history/history_trail.hpp"
+#include "harness/history/history.hpp"
 #include "harness/numeric/central_difference.hpp"
 #include "harness/numeric/norms.hpp"
 #include "harness/sheet/sheet.hpp"

@@ -2,7 +2,7 @@
 // A yield test with a tolerance, and times to which increments are shorter than that.
 #include <gtest/gtest.h>
 
-#include "harness/history/history_trail.hpp"
+#include "harness/history/history.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 #include "harness/sheet/band.hpp"
 #include "tests/harness/disguised_material.hpp"
