@@ -4,7 +4,6 @@
 #include "harness/motion/kinds/vortex.hpp"
 #include "harness/sheet/sheet.hpp"
 #include "mpm/seeding/lattice.hpp"
-#include "mpm/seeding/seeds_on_grid.hpp"
 
 extern "C" const assay_material* assay_builtin_neo_hookean(std::uint32_t host_major, std::uint32_t index);
 

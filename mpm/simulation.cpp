@@ -68,7 +68,7 @@ void Simulation<Dim>::allocate(const std::vector<Pass<Dim>>& passes) {
   State<Dim>& s = state_;
   for (const ColumnUse& use : columns_of(passes, s.setup)) {
     if (use.column == Column::weights || use.column == Column::history) continue;  // the basis and its effect keep them
-    const bool shared = s.setup.offload && record_of<Dim>(use.column).of_stress;
+    const bool shared = s.setup.offload && (record_of<Dim>(use.column).roles & of_stress) != 0;
     const auto memory = shared ? s.setup.offload->allocate : nullptr;
     s.columns[static_cast<std::size_t>(use.column)].allocate(s.particles, static_cast<int>(use.bytes / sizeof(double)),
                                                              memory);

@@ -11,7 +11,6 @@
 #include "drivers/check/check_material.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/output/junit.hpp"
-#include "drivers/output/pages.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"

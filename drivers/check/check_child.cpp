@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/check/check_child.hpp"
+#include "drivers/check/check_process.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "adapters/process/shortage.hpp"
-#include "drivers/check/check_child.hpp"
 #include "drivers/check/check_material.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/interrupt.hpp"

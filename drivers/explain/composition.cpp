@@ -6,7 +6,7 @@
 
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/simulation/simulate.hpp"
-#include "mpm/seeding/seeds_on_grid.hpp"
+#include "mpm/seeding/lattice.hpp"
 #include "mpm/step/stages.hpp"
 
 namespace assay::drivers {

@@ -15,7 +15,6 @@
 #include "mpm/basis/corners.hpp"
 #include "mpm/patch/methods.hpp"
 #include "mpm/seeding/lattice.hpp"
-#include "mpm/seeding/seeds_on_grid.hpp"
 
 namespace assay::drivers {
 

@@ -91,7 +91,8 @@ Snapshots::Snapshots(const Problem& problem, OutputFolder& folder) : problem_(&p
   const mpm::Setup<2>& setup = problem.setup;
   shown_ = {{Column::reference_position, 2}, {Column::position, 2}};
   for (const auto& use : mpm::columns_of(mpm::compose(setup), setup)) {
-    if (mpm::info(use.column).shown) shown_.push_back({use.column, static_cast<int>(use.bytes / sizeof(double))});
+    if (mpm::info(use.column).roles & mpm::in_snapshots)
+      shown_.push_back({use.column, static_cast<int>(use.bytes / sizeof(double))});
   }
 }
 

@@ -25,7 +25,7 @@ constexpr std::size_t alignment = 8;  ///< doubles: a line of the cache
 std::size_t doubles_of(const mpm::Setup<2>& setup) {
   std::size_t bytes = 0;
   for (const mpm::ColumnUse& use : mpm::columns_of(mpm::compose(setup), setup)) {
-    if (mpm::info(use.column).of_stress) bytes += use.bytes;
+    if (mpm::info(use.column).roles & mpm::of_stress) bytes += use.bytes;
   }
   return bytes / sizeof(double) * setup.seeds.size() + 8 * alignment;
 }

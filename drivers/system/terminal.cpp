@@ -7,7 +7,9 @@
 
 #include "adapters/process/private_files.hpp"
 #include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
 #include "drivers/system/own_files.hpp"
+#include "drivers/system/whole_file.hpp"
 #include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {
@@ -36,6 +38,17 @@ bool all_is_printed() { return !lost; }
 void warn(std::string_view sentence) {
   put_streams_right();
   std::fprintf(stderr, "warning: %s\n", one_line(sentence).c_str());
+}
+
+void tell(const std::string& text, const std::vector<Page>& pages) {
+  Page shown{{}, text};
+  for (const Page& page : pages) {
+    if (page.file == standard_stream) shown = page;
+  }
+  shown.is_json ? print_json(shown.text) : print(shown.text);
+  for (const Page& page : pages) {
+    if (!page.file.empty() && page.file != standard_stream) write_file(page.file, page.text);
+  }
 }
 
 }  // namespace assay::drivers

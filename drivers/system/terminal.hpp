@@ -3,7 +3,9 @@
 // model's words hold reaches the terminal as a command.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace assay::drivers {
 
@@ -21,5 +23,16 @@ bool all_is_printed();
 
 /// "warning: SENTENCE" on standard error, one line.
 void warn(std::string_view sentence);
+
+/// What a verb tells.
+struct Page {
+  std::string file;  ///< "-": standard output; empty: none
+  std::string text;
+  bool is_json = false;
+};
+
+/// What was found first, on standard output: `text`, or the last page that is asked for there. Then the files, whatever
+/// becomes of them. Throws SystemError.
+void tell(const std::string& text, const std::vector<Page>& pages);
 
 }  // namespace assay::drivers

@@ -3,10 +3,10 @@
 #include <CLI/CLI.hpp>
 
 #include "drivers/command_line/verb.hpp"
-#include "drivers/output/pages.hpp"
 #include "drivers/study/pages/study_pages.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/input_file.hpp"
+#include "drivers/system/terminal.hpp"
 
 namespace assay::drivers {
 

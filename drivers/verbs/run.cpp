@@ -8,7 +8,6 @@
 #include "drivers/findings/findings.hpp"
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/junit.hpp"
-#include "drivers/output/pages.hpp"
 #include "drivers/output/report.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"

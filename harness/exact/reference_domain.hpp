@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/motion/annulus.hpp"
+#include "harness/motion/ring_kinematics.hpp"
 #include "harness/numeric/tensor.hpp"
 
 namespace assay {

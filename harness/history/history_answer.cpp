@@ -20,16 +20,6 @@ Parts part_of(NumberReader& reader) {
   return parts;
 }
 
-FailureFacts facts_of_failure(const MaterialFailure& failure) {
-  FailureFacts facts{FailureFacts::Kind::material, failure.what(), failure.xi, failure.t};
-  facts.not_finite = failure.not_finite;
-  facts.is_final = failure.final;
-  facts.too_accurate = failure.too_accurate;
-  facts.has_step = failure.step.has_value();
-  if (failure.step) facts.step = *failure.step;
-  return facts;
-}
-
 const FailureFacts no_failure;
 
 }  // namespace
@@ -51,9 +41,9 @@ std::vector<double> HistoryTasks::answer(std::span<const double> task) {
   try {
     return result(task);
   } catch (const MaterialFailure& failure) {
-    return numbers_of(facts_of_failure(failure));
+    return numbers_of(FailureFacts{FailureFacts::Kind::material, failure.what(), failure});
   } catch (const std::exception& error) {
-    return numbers_of(FailureFacts{FailureFacts::Kind::other, error.what()});
+    return numbers_of(FailureFacts{FailureFacts::Kind::other, error.what(), {}});
   }
 }
 

@@ -25,9 +25,7 @@ struct PathFacts {
 struct FailureFacts {
   enum class Kind { none, material, other } kind = Kind::none;
   std::string what = {};
-  double xi = 0, t = 0;
-  bool not_finite = false, is_final = false, too_accurate = false, has_step = false;
-  FailedStep step = {};
+  FailurePlace place = {};
 };
 
 void fields(auto& archive, Interval& interval) { archive(interval.lower, interval.upper); }
@@ -47,10 +45,10 @@ void fields(auto& archive, HistoryTrail& trail) {
   archive(trail.width, trail.rows, trail.branches, trail.flickers, trail.error, trail.calls);
 }
 void fields(auto& archive, FailedStep& step) { archive(step.t, step.dt, step.F0, step.F1, step.state0); }
-void fields(auto& archive, FailureFacts& facts) {
-  archive(facts.kind, facts.what, facts.xi, facts.t, facts.not_finite, facts.is_final, facts.too_accurate,
-          facts.has_step, facts.step);
+void fields(auto& archive, FailurePlace& place) {
+  archive(place.xi, place.t, place.step, place.not_finite, place.final, place.too_accurate);
 }
+void fields(auto& archive, FailureFacts& facts) { archive(facts.kind, facts.what, facts.place); }
 
 template <class... Parts>
 std::vector<double> numbers_of(Parts... parts) {

@@ -23,12 +23,7 @@ NumberReader read_answer(std::span<const double> answer) {
   reader(facts);
   if (facts.kind == FailureFacts::Kind::none) return reader;
   if (facts.kind != FailureFacts::Kind::material) throw std::runtime_error(facts.what);
-  MaterialFailure failure(facts.what, facts.xi, facts.t);
-  failure.not_finite = facts.not_finite;
-  failure.final = facts.is_final;
-  failure.too_accurate = facts.too_accurate;
-  if (facts.has_step) failure.step = facts.step;
-  throw failure;
+  throw MaterialFailure(facts.what, facts.place);
 }
 
 void require(bool holds) {

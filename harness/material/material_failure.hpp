@@ -38,17 +38,22 @@ inline UpdateReport take_again(const Material& material, const FailedStep& step)
                          state1.data(), cauchy);
 }
 
+/// Where on a path a material failed, and how.
+struct FailurePlace {
+  double xi = 0, t = 0;
+  std::optional<FailedStep> step = {};  ///< where a call of `update` failed
+  bool not_finite = false;              ///< its stress or state is no number
+  bool final = false;                   ///< no shorter step would do: its process died
+  bool too_accurate = false;            ///< a larger tolerance of its history may do
+};
+
 /// A material refused a step, or returned a non-finite stress.
-class MaterialFailure : public std::runtime_error {
+class MaterialFailure : public std::runtime_error, public FailurePlace {
  public:
-  MaterialFailure(const std::string& what, double at_xi, double at_t) : std::runtime_error(what), xi(at_xi), t(at_t) {}
-  MaterialFailure(const std::string& what, double at_xi, double at_t, std::optional<FailedStep> at_step)
-      : std::runtime_error(what), xi(at_xi), t(at_t), step(std::move(at_step)) {}
-  double xi, t;
-  bool not_finite = false;         ///< its stress or state is no number
-  bool final = false;              ///< no shorter step would do: its process died
-  bool too_accurate = false;       ///< a larger tolerance of its history may do
-  std::optional<FailedStep> step;  ///< where a call of `update` failed
+  MaterialFailure(const std::string& what, double at_xi, double at_t, std::optional<FailedStep> at_step = {})
+      : MaterialFailure(what, {at_xi, at_t, std::move(at_step)}) {}
+  MaterialFailure(const std::string& what, FailurePlace place)
+      : std::runtime_error(what), FailurePlace(std::move(place)) {}
 };
 
 /// A material has no state to begin with: at no place of a path.

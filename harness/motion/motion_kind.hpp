@@ -12,7 +12,6 @@
 #include <typeinfo>
 #include <vector>
 
-#include "harness/motion/annulus.hpp"
 #include "harness/motion/exact_state.hpp"
 #include "harness/motion/path.hpp"
 #include "harness/motion/ring_kinematics.hpp"

@@ -9,6 +9,12 @@
 
 namespace assay {
 
+/// Between two radii around the origin [m].
+struct Annulus {
+  double inner = 0, outer = 0;
+  bool holds(double R) const { return R > inner && R < outer; }  ///< R: [m]
+};
+
 /// Components of a vector along e_r, e_theta at the current angle Theta + alpha (25).
 struct Polar {
   double r = 0, theta = 0;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -53,6 +54,12 @@ class NumberArchive {
   void pass(std::vector<T>& list) {
     list.resize(passed_size(list.size()));  // every item takes one number at least
     for (T& item : list) pass(item);
+  }
+  template <class T>
+  void pass(std::optional<T>& part) {
+    bool is_there = part.has_value();
+    pass(is_there);
+    if (is_there) pass(part ? *part : part.emplace());
   }
   void pass(std::string& text) {
     constexpr std::size_t letters = sizeof(double);  // of a number

@@ -3,8 +3,7 @@
 //   phi_ip = sum_c w_c N_i(x_c),   grad phi_ip = sum_c N_i(x_c) g_c.
 #pragma once
 
-#include "mpm/basis/basis.hpp"
-#include "mpm/basis/corner_cells.hpp"
+#include "mpm/basis/corners.hpp"
 
 namespace assay::mpm {
 

@@ -169,7 +169,7 @@ EffectRecord<Dim> anti_locking_effect() {
                      [](const Setup<Dim>&) { return doubles(2); }},
                     {Column::volume_scale, "volume_scale", "1",
                      "of F, so that its J is averaged; in the total formulation of the step before, too",
-                     [](const Setup<Dim>& s) { return doubles(s.method.is_total() ? 2 : 1); }, true}};
+                     [](const Setup<Dim>& s) { return doubles(s.method.is_total() ? 2 : 1); }, of_stress}};
   effect.grid_fields = [](const Setup<Dim>&) {
     return std::vector<GridFieldUse>{{"cell_volume", "reference and current volume, a cell or node", doubles(2)}};
   };

@@ -65,4 +65,15 @@ void add_surface_edges(const Rectangle& body, const std::array<AxisEnds, 2>& end
 /// direction, so that its force is that of P N in the middle on the chord.
 void add_face_arcs(const Annulus& ring, Seeds<2>& seeds);
 
+// Seeds on the grid of a setup.
+
+/// Nodes of the tiles (mpm/grid/live_nodes.hpp) that are live in the first step: those that blocks of particles reach,
+/// those of particles that never move, and images. Found before anything of a run is allocated.
+std::size_t nodes_reached(const Setup<2>& setup);
+
+/// By the nodes that the particles of a setup reach in the reference configuration; among particles of the same nodes
+/// as before. Particles with domains of their own, and those of bases that reach different numbers of nodes, stay in
+/// cell order.
+void order_by_nodes(Setup<2>& setup);
+
 }  // namespace assay::mpm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Particles in the order of the nodes that they reach.
-#include "mpm/seeding/seeds_on_grid.hpp"
+#include "mpm/seeding/lattice.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -12,14 +12,20 @@
 
 namespace assay::mpm {
 
+/// What a column is for besides its passes.
+enum ColumnRole : unsigned {
+  for_passes = 0,
+  of_stress = 1,     ///< the update of the material reads or writes it, wherever that runs
+  in_snapshots = 2,  ///< a number, a vector or a tensor of each particle that snapshots show
+};
+
 /// A column of particle data.
 template <int Dim>
 struct ColumnRecord {
   Column column;
   std::string_view name, unit, doc;
   std::size_t (*bytes)(const Setup<Dim>&);  ///< a particle
-  bool of_stress = false;                   ///< the update of the material reads or writes it, wherever that runs
-  bool shown = false;                       ///< in snapshots: a number, a vector or a tensor of each particle
+  unsigned roles = for_passes;              ///< of ColumnRole, or-ed
   std::string effect = {};                  ///< that brings it; empty: the spine
 };
 

@@ -8,7 +8,6 @@
 #include "harness/exact/box_stress.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
 #include "mpm/seeding/lattice.hpp"
-#include "mpm/seeding/seeds_on_grid.hpp"
 #include "mpm/simulation.hpp"
 #include "tests/harness/elastic_material.hpp"
 #include "tests/mpm/grid_fields.hpp"

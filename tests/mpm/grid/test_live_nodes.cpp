@@ -6,7 +6,7 @@
 #include <set>
 
 #include "mpm/mass/mass_matrix.hpp"
-#include "mpm/seeding/seeds_on_grid.hpp"
+#include "mpm/seeding/lattice.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
 namespace assay::mpm::test_live_nodes {

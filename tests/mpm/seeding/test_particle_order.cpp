@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/seeding/seeds_on_grid.hpp"
 
 #include <gtest/gtest.h>
 
