@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "drivers/text/verbosity.hpp"
+#include "drivers/system/terminal.hpp"
 #include "harness/check/battery.hpp"
 
 namespace assay::drivers {

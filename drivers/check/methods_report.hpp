@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/text/verbosity.hpp"
+#include "drivers/system/terminal.hpp"
 #include "mpm/patch/patch.hpp"
 
 namespace assay::drivers {

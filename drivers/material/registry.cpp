@@ -186,8 +186,7 @@ std::string registry_folder() {
 }
 
 std::vector<RegisteredName> registered_names() {
-  std::vector<RegisteredName> all;
-  for (const assay_material* table : adapters::builtin_tables()) all.push_back({table->name, {}});
+  auto all = mapped(adapters::builtin_tables(), [](const auto* table) { return RegisteredName{table->name, {}}; });
   if (!registry_folder().empty()) append_all(all, names_in(registry_folder(), true));
   for (const std::string& folder : material_folders()) append_all(all, names_in(folder, false));
   std::set<std::string> seen;

@@ -10,7 +10,7 @@
 #include "drivers/material/abaqus_deck.hpp"
 #include "drivers/material/source_entry.hpp"
 #include "drivers/system/input_error.hpp"
-#include "drivers/text/verbosity.hpp"
+#include "drivers/system/terminal.hpp"
 
 namespace assay::drivers {
 

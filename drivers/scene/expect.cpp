@@ -107,9 +107,7 @@ std::vector<Expectation> read_expectations(const Tree& map, const ExpectationWor
   append_all(known, flat_keys());
   require_map(map, words.path, "keys of result.json");
   refuse_unknown_keys(map, words.path, known);
-  std::vector<Expectation> lines;
-  for (const Tree::Entry& entry : map.entries) lines.push_back(read_line(entry, words));
-  return lines;
+  return mapped(map.entries, [&](const Tree::Entry& entry) { return read_line(entry, words); });
 }
 
 std::string expectation_yaml(const Expectation& line) {

@@ -23,8 +23,7 @@ std::vector<std::string> types_of(bool (*holds)(const Motion&)) {
 
 /// The keys of one motion, in its order.
 std::vector<Key> keys_of_motion(const Motion& motion) {
-  std::vector<Key> keys = keys_of(
-      "motion", motion, [](auto& scene) -> auto& { return scene.motion; });
+  std::vector<Key> keys = keys_of("motion", motion, &Scene::motion);
   for (Key& key : keys) key.motions = {std::string(motion->type())};
   return keys;
 }

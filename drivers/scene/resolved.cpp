@@ -20,9 +20,7 @@ std::string number_of(const Key& key, double value) {
 }
 
 std::string list_text(const Key& key, std::span<const double> values) {
-  std::vector<std::string> texts;
-  for (const double value : values) texts.push_back(number_of(key, value));
-  return flow_list(texts);
+  return flow_list(mapped(values, [&](double value) { return number_of(key, value); }));
 }
 
 std::string value_text(const Key& key, const Value& value) {

@@ -12,31 +12,25 @@ namespace {
 
 /// A part of a scene, with its keys. An optional one is absent unless it is written.
 Section section(const std::string& path, const std::string& doc, auto part) {
-  auto sample = part(Scene());
+  auto sample = std::invoke(part, Scene());
   Section made{.path = path, .doc = doc};
   if constexpr (Optional<decltype(sample)>::value) {
     sample.emplace();
-    made.begin = [part](Scene& scene) { part(scene).emplace(); };
+    made.begin = [part](Scene& scene) { std::invoke(part, scene).emplace(); };
   }
   made.keys = keys_of(path, sample, part);
   return made;
 }
 
-#define PART(member) \
-  [](auto&& scene) -> auto& { return scene.member; }
-
 /// The scene's own: title and motion.allow_unstable.
-std::vector<Key> own_keys() {
-  return keys_of(
-      "", Scene(), [](auto& scene) -> auto& { return scene; });
-}
+std::vector<Key> own_keys() { return keys_of("", Scene(), std::identity()); }
 
 std::vector<Section> all_sections() {
   std::vector<Key> of_motion = motion_keys();
   of_motion.push_back(own_keys().back());
-  Section frame = section("frame", "observer's frame for the vortex; without it: the body's own frame", PART(frame));
+  Section frame = section("frame", "observer's frame for the vortex; without it: the body's own frame", &Scene::frame);
   for (Key& key : frame.keys) key.motions = vortex_motions();
-  Section material = section("material", "the constitutive model", PART(material));
+  Section material = section("material", "the constitutive model", &Scene::material);
   material.required = true;
   return {
       {.path = "motion", .doc = "the manufactured motion", .required = true, .keys = of_motion},
@@ -44,21 +38,22 @@ std::vector<Section> all_sections() {
       frame,
       material,
       {.path = "material.parameters", .doc = "material parameters by name, in SI units", .free_keys = true},
-      section("body", "the particles", PART(body)),
-      section("body.initial_velocity",
-              "initial velocity of a free body, with force.response: none; without it: that of the motion",
-              PART(body.initial_velocity)),
-      section("grid", "the background grid", PART(grid)),
+      section("body", "the particles", &Scene::body),
+      section(
+          "body.initial_velocity",
+          "initial velocity of a free body, with force.response: none; without it: that of the motion",
+          [](auto&& scene) -> auto& { return scene.body.initial_velocity; }),
+      section("grid", "the background grid", &Scene::grid),
       section("method", "the particle method; without it, a scene can only be tabulated, evaluated and checked",
-              PART(method)),
-      section("force", "the body force", PART(force)),
-      section("traction", "how prescribed tractions act on the grid", PART(traction)),
+              &Scene::method),
+      section("force", "the body force", &Scene::force),
+      section("traction", "how prescribed tractions act on the grid", &Scene::traction),
       {.path = "remedies",
        .doc = "cures for known weaknesses of a method; each has a cost, and none is on by default",
-       .keys = keys_of("", mpm::EffectOptions(), PART(effects))},
-      section("time", "duration and time steps", PART(time)),
-      section("output", "what is written", PART(output)),
-      section("limits", "limits on the memory and the work of a run", PART(limits)),
+       .keys = keys_of("", mpm::EffectOptions(), &Scene::effects)},
+      section("time", "duration and time steps", &Scene::time),
+      section("output", "what is written", &Scene::output),
+      section("limits", "limits on the memory and the work of a run", &Scene::limits),
       {.path = "expect", .doc = "expected results, by key of result.json", .free_keys = true},
   };
 }

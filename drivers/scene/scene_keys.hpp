@@ -85,7 +85,7 @@ void show(std::optional<Part>& part, Keys& visitor) {
   if (part) part->keys(visitor);
 }
 
-/// The rows of all keys that `sample` shows; part(scene) is the part of a scene that it is a sample of.
+/// The rows of all keys that `sample` shows; std::invoke(part, scene) is the part of a scene that it is a sample of.
 std::vector<Key> keys_of(const std::string& section, auto sample, auto part) {
   std::vector<Key> keys;
   EachKey each([&](const KeyInfo& info, KeyType type, const Value&) -> EachKey::Answer {
@@ -96,7 +96,7 @@ std::vector<Key> keys_of(const std::string& section, auto sample, auto part) {
         if (key.shown && key.name == name) found = value;
         return std::nullopt;
       });
-      auto copy = part(scene);
+      auto copy = std::invoke(part, scene);
       show(copy, look);
       return found;
     };
@@ -104,7 +104,7 @@ std::vector<Key> keys_of(const std::string& section, auto sample, auto part) {
       EachKey give([&](const KeyInfo& key, KeyType, const Value&) {
         return key.name == name ? EachKey::Answer(value) : std::nullopt;
       });
-      show(part(scene), give);
+      show(std::invoke(part, scene), give);
     };
     keys.push_back(key_row(key_path(section, name), info.doc, type, info, get, set));
     return std::nullopt;

@@ -9,6 +9,9 @@
 
 namespace assay::drivers {
 
+/// How much a verb says on standard error.
+enum class Verbosity { quiet, normal, verbose };
+
 /// Lines for a reader, on standard output and flushed: what steers a terminal is written as "<U+001B>".
 void print(std::string_view lines);
 

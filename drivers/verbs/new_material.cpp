@@ -110,10 +110,8 @@ void write_project(const fs::path& folder, const std::map<std::string, std::stri
   std::error_code code;
   if (fs::exists(fs::symlink_status(folder, code)))
     throw InputError({folder.string()}, "", "exists, and a project goes into a new folder; choose another with -o");
-  std::vector<std::string> names;
-  for (const auto& [name, text] : files) names.push_back(name);
   watch_interrupts();
-  OutputFolder out(folder, names);
+  OutputFolder out(folder, mapped(files, [](const auto& file) { return file.first; }));
   for (const auto& [name, text] : files) out.write(name, text);
   out.commit();
 }

@@ -74,9 +74,8 @@ KeyValue value_of(const Member& member) {
   } else if constexpr (std::is_enum_v<Member>) {
     return names_of(member)[static_cast<std::size_t>(member)];
   } else if constexpr (std::is_same_v<Member, Tensor>) {
-    std::vector<double> list;
-    for (int i = 0; i < 9; ++i) list.push_back(component(member, i));
-    return list;
+    const auto nine = nine_of(member);
+    return std::vector<double>(nine.begin(), nine.end());
   } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
     return std::vector<double>(member.begin(), member.end());
   } else if constexpr (std::is_same_v<Member, int>) {
@@ -95,8 +94,7 @@ void give(Member& member, const KeyValue& value) {
     const auto names = names_of(member);
     member = static_cast<Member>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
   } else if constexpr (std::is_same_v<Member, Tensor>) {
-    for (int i = 0; i < 9; ++i)
-      component(member, i) = std::get<std::vector<double>>(value)[static_cast<std::size_t>(i)];
+    member = tensor_of(std::get<std::vector<double>>(value).data());
   } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
     const auto& list = std::get<std::vector<double>>(value);
     for (std::size_t k = 0; k < list.size(); ++k) member[k] = static_cast<typename Member::value_type>(list[k]);
