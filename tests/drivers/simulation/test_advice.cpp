@@ -120,7 +120,9 @@ TEST(Advice, OfEveryRefusalIsTried) {
   const std::string tree = ASSAY_SOURCE_DIR "/";
   Sets files{tree + "mpm/setup/method.cpp", tree + "drivers/scene/scene_check.cpp",
              tree + "drivers/simulation/body_faces.cpp"};
-  for (const auto& basis : std::filesystem::directory_iterator(tree + "mpm/basis")) files.push_back(basis.path());
+  for (const char* folder : {"mpm/basis", "mpm/effects"}) {
+    for (const auto& one : std::filesystem::directory_iterator(tree + folder)) files.push_back(one.path());
+  }
   for (const std::string& file : files) {
     std::string source = bytes_of(file);
     source = std::regex_replace(source, std::regex("\"\\s*\n\\s*\""), "");  // strings in two pieces
