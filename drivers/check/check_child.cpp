@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The process in which one material is checked.
 #include "drivers/check/check_process.hpp"
 
 #include <fcntl.h>
