@@ -219,9 +219,10 @@ Observations observations_of(const Problem& problem) {
   return due;
 }
 
-void simulate(Problem& problem, ExactSolutionPtr exact, Snapshots& snapshots, Progress& progress, Result& result) {
+void simulate(Problem& problem, const ExactSolutionPtr& exact, Snapshots& snapshots, Progress& progress,
+              Result& result) {
   auto start = Clock::now();
-  Run run(problem, std::move(exact), snapshots, result);
+  Run run(problem, exact, snapshots, result);
   result.setup_s += seconds_since(start);
   start = Clock::now();
   try {

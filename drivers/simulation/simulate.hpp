@@ -21,7 +21,8 @@ Observations observations_of(const Problem& problem);
 
 /// Runs the problem to its end, or to the finding that stops it, and fills in the result's outcome, time, errors,
 /// profile, work and drift. Throws Interrupted when a signal came.
-void simulate(Problem& problem, ExactSolutionPtr exact, Snapshots& snapshots, Progress& progress, Result& result);
+void simulate(Problem& problem, const ExactSolutionPtr& exact, Snapshots& snapshots, Progress& progress,
+              Result& result);
 
 /// CPU time of this process [s] and its peak resident memory [bytes].
 double cpu_seconds();
