@@ -33,25 +33,24 @@ void describe(Is<TestResult> auto& self, auto&& archive) {
   ASSAY_MEMBERS(sentence);
 }
 
-void describe(Is<CheckedMaterial> auto& checked, auto&& json) {
-  json("material", checked.name);
-  json.or_null("library", checked.library);
-  json.if_any("description", checked.description);
-  json.or_null("model", checked.model);
-  json("parameters", checked.parameters);
-  json.if_any("parameters_of_example", checked.of_example);
-  json.derived("verdict", overall(checked));
-  json.or_null("error", checked.error);
-  json.or_null("unwritten", checked.unwritten);
-  json("printed", checked.printed);
-  json("wall_s", checked.wall_s);
-  json("strain", checked.report.strain);
-  json("pressure", checked.report.pressure);
-  json("step", checked.report.effort.step);
-  json("not_tested", checked.report.not_tested);
-  json.if_any("depends_on", checked.depends_on);
-  json("diagnosis", checked.report.diagnosis);
-  json("tests", checked.report.tests);
+void describe(Is<CheckedMaterial> auto& self, auto&& archive) {
+  archive("material", self.name);
+  archive.or_null("library", self.library);
+  archive.if_any("description", self.description);
+  archive.or_null("model", self.model);
+  archive("parameters", self.parameters);
+  archive.if_any("parameters_of_example", self.of_example);
+  archive.derived("verdict", overall(self));
+  archive.or_null("error", self.error);
+  archive.or_null("unwritten", self.unwritten);
+  ASSAY_MEMBERS(printed, wall_s);
+  archive("strain", self.report.strain);
+  archive("pressure", self.report.pressure);
+  archive("step", self.report.effort.step);
+  archive("not_tested", self.report.not_tested);
+  archive.if_any("depends_on", self.depends_on);
+  archive("diagnosis", self.report.diagnosis);
+  archive("tests", self.report.tests);
 }
 
 using Values = std::vector<std::pair<std::string, double>>;

@@ -133,6 +133,9 @@ struct TimeChoice {
         "planned: equal steps from the exact motion; current: steps from the present fastest wave and particle",
         control);
   }
+  /// The length of equal steps and its key; absent and null where method.courant gives them [s].
+  std::optional<double> fixed_step() const { return step; }
+  const char* key_of_step() const { return step ? "time.step" : nullptr; }
 };
 
 struct OutputChoice {

@@ -185,12 +185,14 @@ class SceneCheck {
 
   void check_time() const {
     const TimeChoice& time = scene_.time;
-    refuse_if(time.step && time.control == TimeChoice::Control::current, "time.control",
-              "current takes steps by method.courant, and time.step fixes them");
+    const auto fixed = time.fixed_step();
+    const std::string key = fixed ? time.key_of_step() : "";
+    refuse_if(fixed && time.control == TimeChoice::Control::current, "time.control",
+              "current takes steps by method.courant, and " + key + " fixes them");
     const auto* box = scene_.motion.as<AxisAligned>();
     const bool known_end = !box || box->given_speed || given("time.end");
-    if (known_end && time.step)
-      refuse_if(*time.step > time.end, "time.step", "must not exceed time.end, found " + number_text(*time.step));
+    refuse_if(known_end && fixed.value_or(0) > time.end, key,
+              "must not exceed time.end, found " + number_text(fixed.value_or(0)));
   }
 
   const Scene& scene_;

@@ -25,8 +25,9 @@ double crossings(const Problem& problem) {
 
 std::string long_step_sentence(const Problem& problem) {
   const double courant = problem.dt * fastest_signal(problem) / problem.scene.grid->spacing;
-  if (!problem.scene.time.step || courant <= 1) return "";
-  return "time.step = " + rounded_text(problem.dt, 3) + " s is " + rounded_text(courant, 3) +
+  const char* key = problem.scene.time.key_of_step();
+  if (!key || courant <= 1) return "";
+  return key + std::string(" = ") + rounded_text(problem.dt, 3) + " s is " + rounded_text(courant, 3) +
          " times the time in which the fastest wave crosses a cell: the run is likely to become unstable";
 }
 
@@ -128,7 +129,7 @@ std::string spline_end_sentence(const Problem& problem) {
 
 /// The period in which a wave crosses the body `wanted` times, of a ring's motion with more than `most` crossings.
 std::optional<double> period_with(const Problem& problem, double most, double wanted) {
-  const bool is_set = problem.scene.time.step.has_value();
+  const bool is_set = problem.scene.time.fixed_step().has_value();
   if (!problem.compared || is_set || !ring_of(problem.scene.motion)) return std::nullopt;
   const double found = crossings(problem);
   return found > most ? std::optional(problem.period() * wanted / found) : std::nullopt;

@@ -14,11 +14,10 @@ namespace assay::mpm {
 namespace {
 
 constexpr double stress_threshold = 1e-12;  ///< rounding: at most 2e-14 is found, 9e-14 of the sums
-constexpr double reach = 2;  ///< of a node, in h: more than the support of any basis here, domains included
 
-/// Whether a square of `reach` around the node lies inside the body, which is F times the unit square, shifted by less
-/// than one h.
-bool is_inner(const Vec<2>& node, const Mat<2>& F, double h) {
+/// Whether a square of `reach` [h] around the node lies inside the body, which is F times the unit square, shifted by
+/// less than one h.
+bool is_inner(const Vec<2>& node, int reach, const Mat<2>& F, double h) {
   const Mat<2> inverse = inverse_transpose<2>(F, determinant<2>(F));  // its transpose is F^-1
   for (const int i : {-1, 1}) {
     for (const int j : {-1, 1}) {
@@ -52,6 +51,7 @@ struct Forces {
 
 Forces summed(const State<2>& s, const Mat<2>& F, const Stress& sigma, double volume) {
   const GridGeometry<2>& grid = s.setup.grid;
+  const int reach = std::max(2, traits_of<2>(s.method.basis).nodes_across / 2);  // no basis supports more, with domains
   Mat<2> moment{};
   double largest = 0, scale = 0, total = 0;
   for (std::int32_t j = 0; j < grid.count[1]; ++j) {
@@ -59,7 +59,7 @@ Forces summed(const State<2>& s, const Mat<2>& F, const Stress& sigma, double vo
       const Vec<2> x{grid.coordinate(0, i), grid.coordinate(1, j)};
       const double* f = s.force.node(static_cast<std::size_t>(j * grid.count[0] + i));
       for (std::size_t c = 0; c < 4; ++c) moment[c] += f[c / 2] * x[c % 2];
-      if (is_inner(x, F, grid.spacing)) largest = larger(largest, larger(std::abs(f[0]), std::abs(f[1])));
+      if (is_inner(x, reach, F, grid.spacing)) largest = larger(largest, larger(std::abs(f[0]), std::abs(f[1])));
     }
   }
   for (const double component : sigma) scale = larger(scale, std::abs(component));

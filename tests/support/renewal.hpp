@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <string>
 
@@ -26,20 +27,22 @@ inline void expect_file(const std::string& path, const std::string& text) {
   EXPECT_TRUE(text_of_tree(path) == text) << path << " is out of date: ./dev renew writes it anew";
 }
 
-/// The page with `text` in place of what begins with `head` at a line and ends with the next table; as it is where it
-/// has no such head.
+/// The page with `text` in place of what begins with the pattern `head` at a line and ends with the next table; as it
+/// is where it has no such head, or the text already.
 inline std::string with_table(const std::string& page, const std::string& head, const std::string& text) {
-  const std::size_t begin = page.find("\n" + head) + 1, table = begin == 0 ? page.npos : page.find("\n| ", begin - 1);
+  std::smatch found;
+  if (page.find(text) != page.npos || !std::regex_search(page, found, std::regex("\n" + head))) return page;
+  const auto begin = static_cast<std::size_t>(found.position()) + 1, table = page.find("\n|", begin - 1);
   if (table == page.npos) return page;
   std::size_t end = table + 1;
   while (page.compare(end, 1, "|") == 0) end = page.find('\n', end) + 1;
   return page.substr(0, begin) + text + page.substr(end);
 }
 
-/// The page has this text, which ends with a table; `head` is what its first line begins with on the page.
+/// The page has this text, which ends with a table; `head` is a pattern of how its first line begins on the page.
 inline void expect_table(const std::string& path, const std::string& head, const std::string& text) {
-  const std::string page = text_of_tree(path);
-  if (renews()) std::ofstream(ASSAY_SOURCE_DIR "/" + path, std::ios::binary) << with_table(page, head, text);
+  const std::string renewed = with_table(text_of_tree(path), head, text);
+  if (renews()) std::ofstream(ASSAY_SOURCE_DIR "/" + path, std::ios::binary) << renewed;
   EXPECT_NE(text_of_tree(path).find(text), std::string::npos) << path << " is to hold this (./dev renew):\n" << text;
 }
 

@@ -31,8 +31,7 @@ struct MeasuredLoad {
 
   static void fields(auto& self, auto& archive) {
     archive("share", self.timed > 0 ? Figure(self.share) : Figure());
-    archive("timed", self.timed);
-    archive("disturbed", self.disturbed);
+    ASSAY_MEMBERS(timed, disturbed);
     archive("noticeable", self.noticeable());
   }
 };

@@ -45,7 +45,7 @@ TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonJUnitAndTheTableOfTheDocuments)
   const std::string markdown = bytes_of(table);
   EXPECT_EQ(markdown.rfind("All " + std::to_string(found["methods"].size()) + " methods pass `", 0), 0u);
   EXPECT_GT(std::count(markdown.begin(), markdown.end(), '\n'), 10);
-  expect_table("docs/check.md", "All ", markdown);
+  expect_table("docs/check.md", "All [0-9]+ methods pass", markdown);
 
   std::istringstream page(ending.said);
   std::string line, method;
