@@ -104,10 +104,7 @@ void leave_replay_scene(const Scene& given, OutputFolder& folder, Result& result
   if (result.outcome == "completed" || !result.steps || !result.dt || !result.t) return;
   constexpr double shown_steps = 20, most_to_end = 5e4;  // what a scene may ask for is twice that
   Scene scene = given;
-  scene.output = {};
-  scene.output.errors = given.output.errors;
-  scene.output.particles = 0;
-  scene.output.pictures = false;
+  scene.output = {.errors = given.output.errors, .particles = 0, .pictures = false};
   scene.output.each_step_from = std::max(0.0, *result.t - shown_steps * *result.dt);
   if (scene.time.end - *scene.output.each_step_from > most_to_end * *result.dt) {
     scene.time = {.end = static_cast<double>(*result.steps + 1) * *result.dt, .step = *result.dt};

@@ -114,12 +114,14 @@ struct Result {
     archive.section("rim", self.rim);
     archive.section("growth", self.growth);
     if (self.tractions) archive("tractions", self.tractions->runs);
-    ASSAY_MEMBERS(drift, health);
+    archive("drift", self.drift);
+    archive("health", self.health);
     archive(
         "last_good", or_null(self.last_good), "",
         "last_good.vtu if the run did not reach its end: its particles at most 64 steps, or 1/200 of the run, before");
     archive("replay", or_null(self.replay), "", "replay.yaml or replay_scene.yaml, which shows again what went wrong");
-    ASSAY_MEMBERS(expect, provenance);
+    archive("expect", self.expect);
+    archive("provenance", self.provenance);
   }
 
  private:
