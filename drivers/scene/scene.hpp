@@ -67,9 +67,6 @@ struct GridChoice {
 };
 
 struct Method : mpm::Method {
-  using Basis = mpm::Basis;
-  using Transfer = mpm::Transfer;
-  using Update = mpm::Update;
   double courant = 0.4;
 
   void keys(auto& key) {
@@ -133,9 +130,14 @@ struct TimeChoice {
         "planned: equal steps from the exact motion; current: steps from the present fastest wave and particle",
         control);
   }
-  /// The length of equal steps and its key; absent and null where method.courant gives them [s].
-  std::optional<double> fixed_step() const { return step; }
-  const char* key_of_step() const { return step ? "time.step" : nullptr; }
+  /// What fixes equal steps where method.courant does not: their length dt [s], its key, and how that says it.
+  struct FixedStep {
+    double dt;
+    const char *key, *says;
+  };
+  std::optional<FixedStep> fixed_step() const {
+    return step ? std::optional(FixedStep{*step, "time.step", "time.step = "}) : std::nullopt;
+  }
 };
 
 struct OutputChoice {

@@ -101,8 +101,8 @@ std::string advice_after_death(const Problem& problem, const std::string& reason
     keys.push_back("method." + courant);
   }
   const double taken = problem.dt * fastest_signal(problem) / problem.scene.grid->spacing;
-  const char* fixed = problem.scene.time.key_of_step();
-  if (fixed && (!keys.empty() || taken > safe_courant)) keys.push_back(std::string("no ") + fixed);
+  const auto fixed = problem.scene.time.fixed_step();
+  if (fixed && (!keys.empty() || taken > safe_courant)) keys.push_back(std::string("no ") + fixed->key);
   if (helps && !averages) keys.emplace_back("remedies.anti_locking: cell");
   if (!helps && averages) keys.emplace_back("remedies.anti_locking: none");
   if (options.of<mpm::LargestDomain>().cells > 0) keys.emplace_back("no remedies.largest_domain");

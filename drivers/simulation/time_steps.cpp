@@ -108,7 +108,7 @@ const char* key_of_speed(const Problem& problem) {
 /// Of all that the number of steps follows from what is farthest from the usual.
 std::string key_of_steps(const Problem& problem) {
   const Scene& scene = problem.scene;
-  if (const char* key = scene.time.key_of_step()) return key;
+  if (const auto fixed = scene.time.fixed_step()) return fixed->key;
   constexpr double usual_speed = 1e4, usual_end = 10, usual_spacing = 1e-3, usual_courant = 0.01;  // m/s, s, m
   const std::pair<double, const char*> keys[] = {
       {usual_courant / scene.method->courant, "method.courant"},
@@ -164,9 +164,9 @@ void find_speeds(Problem& problem) {
 void plan_steps(Problem& problem) {
   const Scene& scene = problem.scene;
   const auto fixed = scene.time.fixed_step();
-  if (fixed && *fixed > scene.time.end)  // an end that the motion's speed gives is known by now
-    refuse(scene, scene.time.key_of_step(), "must not exceed time.end, " + rounded_text(scene.time.end, 6));
-  const double steps = fixed ? std::ceil(scene.time.end / *fixed * (1 - whole_steps)) : steps_by_courant(problem);
+  if (fixed && fixed->dt > scene.time.end)  // an end that the motion's speed gives is known by now
+    refuse(scene, fixed->key, "must not exceed time.end, " + rounded_text(scene.time.end, 6));
+  const double steps = fixed ? std::ceil(scene.time.end / fixed->dt * (1 - whole_steps)) : steps_by_courant(problem);
   if (!(steps >= 1 && steps < most_steps)) {
     const std::string key = key_of_steps(problem);
     refuse(scene, key,
@@ -181,7 +181,7 @@ void plan_steps(Problem& problem) {
                " m/s, fastest particle " + rounded_text(problem.particle_speed, 3) + " m/s");
   }
   problem.steps = static_cast<std::int64_t>(steps);
-  problem.dt = fixed.value_or(scene.time.end / steps);
+  problem.dt = fixed ? fixed->dt : scene.time.end / steps;
 }
 
 }  // namespace assay::drivers

@@ -25,9 +25,9 @@ double crossings(const Problem& problem) {
 
 std::string long_step_sentence(const Problem& problem) {
   const double courant = problem.dt * fastest_signal(problem) / problem.scene.grid->spacing;
-  const char* key = problem.scene.time.key_of_step();
-  if (!key || courant <= 1) return "";
-  return key + std::string(" = ") + rounded_text(problem.dt, 3) + " s is " + rounded_text(courant, 3) +
+  const auto fixed = problem.scene.time.fixed_step();
+  if (!fixed || courant <= 1) return "";
+  return fixed->says + rounded_text(problem.dt, 3) + " s is " + rounded_text(courant, 3) +
          " times the time in which the fastest wave crosses a cell: the run is likely to become unstable";
 }
 

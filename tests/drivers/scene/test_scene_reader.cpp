@@ -62,9 +62,9 @@ TEST(SceneReader, ReadsEveryKeyOfTheVortex) {
   EXPECT_EQ(s.grid->spacing, 0.25);
   EXPECT_EQ(*s.grid->lower, (std::array<double, 2>{-5, -6}));
   EXPECT_EQ(*s.grid->upper, (std::array<double, 2>{7, 8}));
-  EXPECT_EQ(s.method->basis, Method::Basis::ugimp);
-  EXPECT_EQ(s.method->transfer, Method::Transfer::pic);
-  EXPECT_EQ(s.method->update, Method::Update::musl);
+  EXPECT_EQ(s.method->basis, mpm::Basis::ugimp);
+  EXPECT_EQ(s.method->transfer, mpm::Transfer::pic);
+  EXPECT_EQ(s.method->update, mpm::Update::musl);
   EXPECT_EQ(s.method->courant, 0.25);
   EXPECT_EQ(s.force.response, ForceChoice::Response::closed_form);
   EXPECT_EQ(s.force.tolerance, 1e-8);

@@ -48,7 +48,7 @@ TEST(Plan, CasesHaveNumbersLabelsAndSeries) {
     EXPECT_EQ(one.key.find_first_not_of("0123456789abcdef"), std::string::npos);
     const Scene scene = scene_in(one);
     EXPECT_EQ(scene.grid.value().spacing, i % 2 == 0 ? 0.75 : 0.5);
-    EXPECT_EQ(scene.method.value().basis, i < 2 ? Method::Basis::cpdi : Method::Basis::ugimp);
+    EXPECT_EQ(scene.method.value().basis, i < 2 ? mpm::Basis::cpdi : mpm::Basis::ugimp);
   }
   EXPECT_EQ(plan.study.axes.size(), 2u);
 }
@@ -234,7 +234,7 @@ TEST(Plan, TheBudgetAddsACaseForEachSource) {
     EXPECT_EQ(one.label, base.label + ((i - 4) % 2 == 0 ? ", space refined" : ", time refined"));
     EXPECT_FALSE(one.timed);
     const Scene scene = scene_in(one), of_base = scene_in(base);
-    EXPECT_EQ(scene.method.value().basis, Method::Basis::ugimp);
+    EXPECT_EQ(scene.method.value().basis, mpm::Basis::ugimp);
     if (i % 2 == 0) {
       EXPECT_EQ(scene.grid.value().spacing, 0.25);
       EXPECT_EQ(scene.method.value().courant, of_base.method.value().courant);
