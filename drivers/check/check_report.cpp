@@ -101,7 +101,7 @@ struct Reader {
     } else if constexpr (is_list_field<T>) {
       for (const Json& each : from) take(each, value.emplace_back());
     } else if (!from.is_null()) {
-      value = from.get<std::conditional_t<is_optional_field<T>, double, T>>();
+      value = from.get<std::conditional_t<Optional<T>::value, double, T>>();
     }
   }
 

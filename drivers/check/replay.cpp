@@ -7,7 +7,6 @@
 #include <span>
 
 #include "drivers/check/check_material.hpp"
-#include "drivers/format/file_kind.hpp"
 #include "drivers/format/number_slips.hpp"
 #include "drivers/format/yaml_reader.hpp"
 #include "drivers/format/yaml_values.hpp"

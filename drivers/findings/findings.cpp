@@ -107,7 +107,9 @@ void leave_replay_scene(const Scene& given, OutputFolder& folder, Result& result
   scene.output = {.errors = given.output.errors, .particles = 0, .pictures = false};
   scene.output.each_step_from = std::max(0.0, *result.t - shown_steps * *result.dt);
   if (scene.time.end - *scene.output.each_step_from > most_to_end * *result.dt) {
-    scene.time = {.end = static_cast<double>(*result.steps + 1) * *result.dt, .step = *result.dt};
+    scene.time = TimeChoice();
+    scene.time.end = static_cast<double>(*result.steps + 1) * *result.dt;
+    scene.time.step = *result.dt;
   }
   scene.expect = expected_again(result);
   const std::string name = "replay_scene.yaml";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/format/file_kind.hpp"
+// Which kind of YAML file a tree is.
+#include "drivers/format/yaml_reader.hpp"
 
 #include <algorithm>
 #include <array>

@@ -44,4 +44,11 @@ struct YamlLimits {
 /// tags, bad UTF-8, control characters, tabs that indent, self-reference, and what exceeds the limits.
 Tree read_yaml(std::string_view text, const std::string& name, const YamlLimits& limits = {});
 
+/// The kinds of YAML files that there are, told by their keys.
+enum class FileKind { scene, study, description, replay };
+
+/// Throws InputError "this is a scene, not a study: use `assay run`" for a file of another kind than is wanted; what
+/// has a key that tells the wanted kind is taken for it. The program's own results in JSON are named, too.
+void refuse_other_kind(const Tree& root, FileKind wanted);
+
 }  // namespace assay::drivers

@@ -6,7 +6,7 @@
 #include "adapters/elf_symbols.hpp"
 #include "adapters/foreign/mfront_metadata.hpp"
 #include "adapters/library.hpp"
-#include "drivers/format/file_kind.hpp"
+#include "drivers/format/yaml_reader.hpp"
 #include "drivers/format/yaml_values.hpp"
 #include "drivers/format/yaml_writer.hpp"
 #include "drivers/material/foreign_description.hpp"

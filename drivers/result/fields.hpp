@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+#include "harness/numeric/keys.hpp"
+
 #define ASSAY_FIELD(_, archive, member) archive(BOOST_PP_STRINGIZE(member), self.member);
 #define ASSAY_MEMBERS(...) BOOST_PP_SEQ_FOR_EACH(ASSAY_FIELD, archive, BOOST_PP_VARIADIC_TO_SEQ(__VA_ARGS__))
 #define ASSAY_FIELDS(...) \
@@ -33,11 +35,6 @@ template <class T>
 concept HasFields = requires(T& self, int& archive) {
   T::fields(self, archive);
 };
-
-template <class T>
-inline constexpr bool is_optional_field = false;
-template <class T>
-inline constexpr bool is_optional_field<std::optional<T>> = true;
 
 template <class T>
 inline constexpr bool is_list_field = false;
@@ -92,7 +89,7 @@ class FieldList {
  private:
   template <class T>
   static constexpr Field::Kind kind_of() {
-    if constexpr (is_optional_field<T>) {
+    if constexpr (Optional<T>::value) {
       return kind_of<typename T::value_type>();
     } else {
       return std::is_same_v<T, bool>          ? Field::Kind::truth

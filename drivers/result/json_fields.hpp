@@ -23,7 +23,7 @@ class JsonFields {
       JsonFields archive;
       T::fields(value, archive);
       return std::move(archive.json_);
-    } else if constexpr (is_optional_field<T>) {
+    } else if constexpr (Optional<T>::value) {
       return value ? of(*value) : Json();
     } else if constexpr (is_list_field<T>) {
       Json out = Json::array();

@@ -130,7 +130,8 @@ struct TimeChoice {
         "planned: equal steps from the exact motion; current: steps from the present fastest wave and particle",
         control);
   }
-  /// What fixes equal steps where method.courant does not: their length dt [s], its key, and how that says it.
+  /// The key that fixes equal steps in place of method.courant, their length dt [s], and how a message begins with
+  /// both.
   struct FixedStep {
     double dt;
     const char *key, *says;

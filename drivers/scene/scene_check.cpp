@@ -185,12 +185,14 @@ class SceneCheck {
 
   void check_time() const {
     const TimeChoice& time = scene_.time;
-    const auto fixed = time.fixed_step().value_or(TimeChoice::FixedStep{0, "", ""});
-    refuse_if(fixed.dt > 0 && time.control == TimeChoice::Control::current, "time.control",
-              std::string("current takes steps by method.courant, and ") + fixed.key + " fixes them");
+    const auto fixed = time.fixed_step();
+    if (!fixed) return;
+    refuse_if(time.control == TimeChoice::Control::current, "time.control",
+              std::string("current takes steps by method.courant, and ") + fixed->key + " fixes them");
     const auto* box = scene_.motion.as<AxisAligned>();
     const bool known_end = !box || box->given_speed || given("time.end");
-    refuse_if(known_end && fixed.dt > time.end, fixed.key, "must not exceed time.end, found " + number_text(fixed.dt));
+    refuse_if(known_end && fixed->dt > time.end, fixed->key,
+              "must not exceed time.end, found " + number_text(fixed->dt));
   }
 
   const Scene& scene_;

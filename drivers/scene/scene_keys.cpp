@@ -22,12 +22,16 @@ Section section(const std::string& path, const std::string& doc, auto part) {
   return made;
 }
 
-/// The scene's own: title and motion.allow_unstable.
-std::vector<Key> own_keys() { return keys_of("", Scene(), std::identity()); }
+/// The keys that the scene itself shows under a section ("" is the top).
+std::vector<Key> own_keys(const std::string& section) {
+  std::vector<Key> keys = keys_of("", Scene(), std::identity());
+  std::erase_if(keys, [&](const Key& key) { return parent_of(key.path) != section; });
+  return keys;
+}
 
 std::vector<Section> all_sections() {
   std::vector<Key> of_motion = motion_keys();
-  of_motion.push_back(own_keys().back());
+  append_all(of_motion, own_keys("motion"));
   Section frame = section("frame", "observer's frame for the vortex; without it: the body's own frame", &Scene::frame);
   for (Key& key : frame.keys) key.motions = vortex_motions();
   Section material = section("material", "the constitutive model", &Scene::material);
@@ -93,7 +97,7 @@ const std::vector<Section>& scene_sections() {
 
 const std::vector<Key>& scene_keys() {
   static const std::vector<Key> keys = [] {
-    std::vector<Key> all{own_keys().front()};
+    std::vector<Key> all = own_keys("");
     for (const Section& section : scene_sections()) append_all(all, section.keys);
     return all;
   }();

@@ -17,7 +17,7 @@ namespace assay::drivers {
 using assay::KeyType;
 using Value = KeyValue;
 
-/// A row of the table: what a struct of the scene says of a key of its own.
+/// One row of the table of keys. A struct of the scene says what stands in it (KeyRules).
 struct Key {
   std::string path;  ///< "motion.amplitude.peak"
   KeyType type = KeyType::number;
@@ -57,7 +57,7 @@ bool applies(const Section& section, const Scene& scene);
 std::string motion_type(const Scene& scene);
 std::string domain_name(Body::Domain domain);
 
-/// A visitor that shows each key to a function, which answers with a value to give to it.
+/// A visitor that asks a function about each key. The function may answer with a value, which the key then takes.
 class EachKey final : public Keys {
  public:
   using Answer = std::optional<Value>;
@@ -74,6 +74,7 @@ class EachKey final : public Keys {
 using Get = std::function<Value(const Scene&)>;
 using Set = std::function<void(Scene&, const Value&)>;
 
+/// Makes a row. `get` and `set` reach the value in a scene.
 Key key_row(const std::string& path, std::string_view doc, KeyType type, const KeyRules& rules, Get get, Set set);
 
 // A part of a scene shows its keys.
@@ -85,7 +86,7 @@ void show(std::optional<Part>& part, Keys& visitor) {
   if (part) part->keys(visitor);
 }
 
-/// The rows of all keys that `sample` shows; std::invoke(part, scene) is the part of a scene that it is a sample of.
+/// Returns a row for each key that `sample` shows. std::invoke(part, scene) leads to the same part of a scene.
 std::vector<Key> keys_of(const std::string& section, auto sample, auto part) {
   std::vector<Key> keys;
   EachKey each([&](const KeyInfo& info, KeyType type, const Value&) -> EachKey::Answer {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "drivers/format/file_kind.hpp"
 #include "drivers/format/number_slips.hpp"
 #include "drivers/format/yaml_lines.hpp"
+#include "drivers/format/yaml_reader.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/scene/scene_keys.hpp"

@@ -21,8 +21,8 @@ using mpm::Column;
 /// Where component c of a column begins.
 using ColumnView = std::function<const double*(Column, int)>;
 
-/// A column as VTK wants it: components of a particle side by side, vectors and tensors in three dimensions. Of a
-/// tensor in the plane 33 follows, or is 1.
+/// Rearranges a column for VTK. The components of a particle stand side by side, and vectors and tensors have three
+/// dimensions. A tensor in the plane brings its component 33 with it; if it has none, 33 is 1.
 std::vector<double> interleaved(const ColumnView& of, std::size_t particles, const ShownColumn& shown) {
   constexpr std::size_t in_vector[] = {0, 1}, in_tensor[] = {0, 1, 3, 4, 8};
   const bool is_tensor = shown.components >= mpm::tensor_components<2>;

@@ -12,7 +12,7 @@
 
 namespace assay::drivers {
 
-/// A column that snapshots show: a number, a vector or a tensor of each particle, the last with 33 where it is no 1.
+/// A column that snapshots show. It holds a number, a vector or a tensor of each particle.
 struct ShownColumn {
   mpm::Column column;
   int components;

@@ -27,7 +27,7 @@ bool all_is_printed();
 /// "warning: SENTENCE" on standard error, one line.
 void warn(std::string_view sentence);
 
-/// What a verb tells.
+/// One text that a verb tells, and where it goes.
 struct Page {
   std::string file;  ///< "-": standard output; empty: none
   std::string text;

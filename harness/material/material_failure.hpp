@@ -38,7 +38,7 @@ inline UpdateReport take_again(const Material& material, const FailedStep& step)
                          state1.data(), cauchy);
 }
 
-/// Where on a path a material failed, and how.
+/// Says where on a path a material failed, and how.
 struct FailurePlace {
   double xi = 0, t = 0;
   std::optional<FailedStep> step = {};  ///< where a call of `update` failed

@@ -27,7 +27,7 @@ using KeyValue = std::variant<std::monostate, bool, double, std::string, std::ve
 /// automatic: a number, or the word "auto", which is what stands where nothing is given.
 enum class KeyType { number, automatic, boolean, text, choice, pair, vector, matrix };
 
-/// What is said of a key beside name, text and value.
+/// What a struct says about a key besides name, text and value.
 struct KeyRules {
   using Words = std::vector<std::string> (*)();
   Range range = {};                           ///< of a number, or of each in a list
@@ -39,12 +39,13 @@ struct KeyRules {
   bool shown = true;                           ///< in a scene that is written in full, where it has a value
 };
 
-/// Keys of one name under one section are one key, with one text.
+/// Two motions that have a key of one name share the key, and so its text.
 struct KeyInfo : KeyRules {
   std::string_view name;  ///< under its section: "amplitude.peak"
   std::string_view doc;   ///< one line, with the unit
 };
 
+/// Whether a member may be absent, and the type that it has where it is there.
 template <class Member>
 struct Optional : std::false_type {
   using Kept = Member;
@@ -85,7 +86,7 @@ KeyValue value_of(const Member& member) {
   }
 }
 
-/// Whoever asks has checked that the value is one of the key.
+/// The caller has checked that the key takes the value.
 template <class Member>
 void give(Member& member, const KeyValue& value) {
   if constexpr (Optional<Member>::value) {
@@ -110,7 +111,7 @@ class Keys {
  public:
   virtual ~Keys() = default;
 
-  /// Shows a key with the value that it has, and returns whether it was given another one.
+  /// Shows a key with its value. Returns whether the visitor has given it another one.
   template <class Member>
   bool operator()(std::string_view name, std::string_view doc, Member& member, const KeyRules& rules = {}) {
     using Kept = typename Optional<Member>::Kept;
@@ -127,7 +128,7 @@ class Keys {
   }
 
  protected:
-  /// The value to give to the key; none: it keeps that which it has.
+  /// Returns the value that the key is to take; none if it keeps its own.
   virtual std::optional<KeyValue> meet(const KeyInfo& key, KeyType type, const KeyValue& value) = 0;
 };
 

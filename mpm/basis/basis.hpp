@@ -101,7 +101,7 @@ struct Locator {
     }
   }
 
-  /// Cell coordinates of x; zero and false outside the grid or where x is no number. [WithEnd] Its end is inside, too.
+  /// Cell coordinates of x; zero and false outside the grid or where x is no number. WithEnd counts its edge as inside.
   template <bool WithEnd = false>
   ASSAY_INLINE bool inside(const Vec<Dim>& x, Vec<Dim>& along) const {
     bool good = true;
@@ -114,7 +114,7 @@ struct Locator {
   }
 };
 
-/// What all bases share. A basis says again what is otherwise with it.
+/// What all bases share. A basis that differs declares the member again.
 template <class Derived, int Dim>
 class BasisOf {
  public:

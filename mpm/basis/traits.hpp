@@ -7,7 +7,7 @@
 
 namespace assay::mpm {
 
-/// A basis says in its member `traits` what is otherwise with it than here.
+/// The values here hold for most bases. A basis that differs says so in its member `traits`.
 struct BasisTraits {
   std::string_view name = {};     ///< in a list of the bases; empty: the word of method.basis
   bool smooth = true;             ///< slopes do not jump
@@ -15,7 +15,7 @@ struct BasisTraits {
   bool moves_corners = false;     ///< these edges end in corners that move with the grid, one by one
   bool uses_deformation = false;  ///< place() looks at F
 
-  // Why it has no total formulation or second moment, or does not promise a patch test; empty: it has, it does.
+  // Each says why the basis lacks the thing, or does not promise the test. It is empty if the basis has or promises it.
   std::string_view why_not_total = {};
   std::string_view why_no_second_moment = {};
   std::string_view why_not_rotation = {};

@@ -27,7 +27,7 @@ enum class Column {
   volume_scale,
   weights,
   history,
-  count  ///< of them all
+  count  ///< not a column, but the number of columns
 };
 inline constexpr auto column_count = static_cast<std::size_t>(Column::count);
 

@@ -23,9 +23,7 @@ double smallest_stretch(const Mat<Dim>& inverse_of_F) {
 /// q = rho h (C1 c + C2 h |tr D|) |tr D| where tr D < 0, rho = rho0/J; h a cell's width, where the cell
 /// of the total formulation or the particle's domain deforms by F that where it is thinnest. [Pa]
 template <int Dim>
-void add_viscosity(State<Dim>& s, const Block& block, bool thins) {
-  const auto& C = option<ArtificialViscosity>(s.setup).C;
-  const double linear = C[0] * s.setup.wave_speed, quadratic = C[1];
+void add_viscosity(State<Dim>& s, const Block& block, double linear, double quadratic, bool thins) {
   const auto F = components<Dim * Dim>(s, Column::deformation_gradient);
   const auto rate = components<Dim * Dim>(s, Column::velocity_gradient);
   const auto stress = components<stress_components<Dim>>(s, Column::stress);
@@ -57,8 +55,10 @@ Pass<Dim> viscosity_pass(const Method& method) {
           [](State<Dim>& s) {
             const BasisTraits traits = traits_of<Dim>(s.method.basis);
             const bool thins = s.method.is_total() || traits.moves_corners || traits.uses_deformation;
-            return Kernel::over_blocks([&s, thins](const Instant&, const Block& block) {
-              add_viscosity(s, block, thins);
+            const auto [C1, C2] = option<ArtificialViscosity>(s.setup).C;
+            const double linear = C1 * s.setup.wave_speed, quadratic = C2;
+            return Kernel::over_blocks([&s, linear, quadratic, thins](const Instant&, const Block& block) {
+              add_viscosity(s, block, linear, quadratic, thins);
               return none_bad;
             });
           }};

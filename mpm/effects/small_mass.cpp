@@ -26,7 +26,7 @@ void share_forces(State<Dim>& s, const Images<Dim>& images, double whole, double
   for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= left[d];
 }
 
-/// Before the grid moves: of the force on nodes that are lighter only their share of it is left.
+/// Runs before the grid moves. A node that is lighter than the scene says keeps only its share of the force.
 template <int Dim>
 Pass<Dim> small_mass_pass() {
   return {{.name = "small_mass",

@@ -9,8 +9,8 @@
 
 namespace assay::mpm {
 
-/// One value of each type that was told, a type an effect. What nobody has told is as its type begins: such an effect
-/// is absent.
+/// Each effect keeps its options in a type of its own. A scene that says nothing about an effect leaves them as the
+/// type initializes them, and then the effect is absent.
 class EffectOptions {
  public:
   template <class T>
@@ -28,14 +28,14 @@ class EffectOptions {
   std::map<std::type_index, std::any> told_;
 };
 
-// Those that others look at, besides the effect.
+// Options that other parts of the program read besides the effect.
 
 /// remedies.anti_locking: F-bar over cells, or over the functions of nodes. Nearly incompressible materials then resist
 /// changes of a cell's volume, not of each particle's.
 enum class AntiLocking { none, cell, node };
 constexpr std::array<const char*, 3> names_of(AntiLocking) { return {"none", "cell", "node"}; }
 
-/// remedies.largest_domain; 0: as they deform.
+/// remedies.largest_domain; 0 leaves the domains as they deform.
 struct LargestDomain {
   double cells = 0;
 };

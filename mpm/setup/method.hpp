@@ -25,9 +25,9 @@ constexpr auto names_of(Basis) {
 }
 template <int Dim>
 BasisTraits traits_of(Basis basis);
-/// In a list: "linear, uGIMP, cpGIMP, ...".
+/// Lists all bases by name: "linear, uGIMP, cpGIMP, ...".
 std::string bases_in_words();
-/// Words of those that have a trait: "cpdi and cpdi2".
+/// Lists the words of the bases that have a trait: "cpdi and cpdi2".
 std::string bases_that(bool BasisTraits::*trait, const std::string& and_or);
 
 /// Configuration in which weights are made and forces integrated: the current one, or that of the beginning.

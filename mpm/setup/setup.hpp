@@ -105,7 +105,7 @@ struct Setup {
   std::shared_ptr<const Offload> offload;           ///< of the stress pass; null: in this process. In two dimensions
 };
 
-/// What an effect was told, or that it is absent.
+/// The options of an effect, by their type.
 template <class T>
 const T& option(const auto& setup) {
   return setup.options.template of<T>();

@@ -56,13 +56,13 @@ struct EffectRecord {
   /// Where another key than `key` can call for it, too: the one that does so here.
   std::string (*called_by)(const Setup<Dim>&) = nullptr;
 
-  /// Shows `key` where it is the effect's own: a scene then has it. Its value is kept in the options, as a type of the
-  /// effect's with linkage, which says in its first state that the effect is absent.
+  /// Shows `key` if the key is the effect's own, and then a scene has the key. The options keep its value in a type of
+  /// the effect's outside any unnamed namespace: sources for two and for three dimensions must mean the same type.
   void (*keys)(EffectOptions&, Keys&) = nullptr;
-  std::string example{};  ///< of the key's value, as YAML: with it the effect is there, without it is not
-  /// Why the method has no place for an effect with such options; empty: it has.
+  std::string example{};  ///< a value of the key, as YAML, that calls for the effect
+  /// Says why the method has no place for the effect; empty if it has.
   std::string (*refusal)(const Method&, const EffectOptions&) = nullptr;
-  std::string (*in_title)(const EffectOptions&) = nullptr;  ///< of a run that has it: "small masses"; null: not named
+  std::string (*in_title)(const EffectOptions&) = nullptr;  ///< how the line of a run names it: "small masses"
 };
 
 /// Bytes of so many numbers.

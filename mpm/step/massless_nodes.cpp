@@ -67,7 +67,8 @@ struct Neighbour {
 /// two nodes away.
 template <int Dim>
 std::vector<Neighbour<Dim>> neighbours_of(const Setup<Dim>& setup) {
-  const int reach = traits_of<Dim>(setup.method.basis).is_spline() ? 2 : 1, across = 2 * reach + 1;
+  const BasisTraits basis = traits_of<Dim>(setup.method.basis);
+  const int reach = std::max(basis.is_spline() ? 2 : 1, basis.nodes_across / 2), across = 2 * reach + 1;
   int all = 1;
   for (int d = 0; d < Dim; ++d) all *= across;
   std::vector<Neighbour<Dim>> neighbours;

@@ -8,7 +8,7 @@ namespace assay::mpm {
 
 namespace {
 
-/// The bases' own functions where they are evaluated at points, else multilinear ones.
+/// Takes the functions of the basis if it is evaluated at points, and multilinear ones otherwise.
 template <class B>
 void bind_points(SurfaceLoads& loads, const GridGeometry<2>& grid) {
   auto basis = std::make_shared<B>(grid, Vec<2>{}, loads.points.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What files of the tree hold of what the program says. `./dev renew` sets ASSAY_RENEW: then a test writes the file
-// before it compares.
+// Compares files of the tree with what the program says. `./dev renew` sets ASSAY_RENEW, and then a test writes the
+// file before it compares.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,18 +8,15 @@
 #include <cstdlib>
 #include <fstream>
 #include <regex>
-#include <sstream>
 #include <string>
+
+#include "tests/drivers/scratch_folder.hpp"
 
 namespace assay {
 
 inline bool renews() { return std::getenv("ASSAY_RENEW") != nullptr; }
 
-inline std::string text_of_tree(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(ASSAY_SOURCE_DIR "/" + path, std::ios::binary).rdbuf();
-  return text.str();
-}
+inline std::string text_of_tree(const std::string& path) { return drivers::bytes_of(ASSAY_SOURCE_DIR "/" + path); }
 
 /// The file, path from the root, is `text`.
 inline void expect_file(const std::string& path, const std::string& text) {

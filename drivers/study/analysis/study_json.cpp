@@ -63,7 +63,7 @@ class Node {
   void read(T& value) const {
     if constexpr (HasFields<T>) {
       T::fields(value, *this);
-    } else if constexpr (is_optional_field<T>) {
+    } else if constexpr (Optional<T>::value) {
       if (!json_->is_null()) read(value.emplace());
     } else if constexpr (std::is_enum_v<T>) {
       value = static_cast<T>(place_in(names_of(value)));

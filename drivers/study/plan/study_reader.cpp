@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "drivers/format/file_kind.hpp"
+#include "drivers/format/yaml_reader.hpp"
 #include "drivers/format/yaml_values.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/system/input_file.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/format/file_kind.hpp"
+#include "drivers/format/yaml_reader.hpp"
 
 #include <gtest/gtest.h>
 
