@@ -4,11 +4,14 @@
 //
 //   ExactSolution --at(points)------> x, v, a, F, P, sigma, b of any points and times
 //     |
+//     +--slice(t)-------------------> ExactSlice --at(point)--> the same of one time, at many points
+//     |                                 HexahedronAverage: their means over domains
 //     +--instant(points, asked)-----> ExactInstant --set_time(t)--> the plane fields of many fixed points
 //
-//   three families   polar.cpp     vortex, twisting ring: tau(xi, t) of a Response
+//   four families    polar.cpp     vortex, twisting ring: tau(xi, t) of a Response
 //                    uniform.cpp   F is the same everywhere: P(t)
 //                    box.cpp       F depends on cos(pi X), cos(pi Y): P is a cosine series
+//                    meridian.cpp  vortex3d: tau(xi, t), in meridian planes
 //   around any       framed.cpp    as a frame sees it
 //
 // A solution never changes, and any number of threads may ask it. An instant belongs to one thread.
@@ -30,6 +33,7 @@
 namespace assay {
 
 struct AxisAligned;
+struct Vortex3d;
 
 struct PlaneState {
   Point x{}, v{};                 ///< [m], [m/s]
@@ -119,6 +123,20 @@ struct StressSource {
   std::int64_t material_calls = 0;
 };
 
+/// The solution at one time, anywhere. It never changes, and any number of threads may ask it.
+class ExactSlice {
+ public:
+  virtual ~ExactSlice() = default;
+
+  virtual ExactPoint at(const Vector3& X) const = 0;
+  virtual Tensor first_piola_kirchhoff(const Vector3& X) const { return at(X).stress.first_piola_kirchhoff; }
+  virtual ExactState state(const Vector3& X) const = 0;
+
+  /// A number for each part of the body in which all is smooth: it changes at edges and fronts.
+  virtual std::size_t part(const Vector3&) const { return 0; }
+  virtual bool has_parts() const { return false; }  ///< there is more than one
+};
+
 class ExactSolution {
  public:
   ExactSolution(Motion motion, double density) : motion_(std::move(motion)), density_(density) {}
@@ -132,6 +150,11 @@ class ExactSolution {
   /// One for each point, in their order. Throws MaterialFailure.
   virtual std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between = {}) const = 0;
   ExactPoint at(const Vector3& X, double t) const { return at(std::array{PlaceAndTime{X, t}}).front(); }
+
+  virtual ExactState state(const Vector3& X, double t) const { return motion_->at(X, t); }
+
+  /// Lives no longer than the solution. Throws MaterialFailure, as its members do.
+  virtual std::unique_ptr<const ExactSlice> slice(double t) const;
 
   virtual std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const = 0;
 
@@ -150,6 +173,9 @@ using ExactSolutionPtr = std::shared_ptr<const ExactSolution>;
 
 /// Of a polar motion. Without a response it knows the motion alone.
 ExactSolutionPtr exact_polar(const Motion& motion, double density, std::shared_ptr<const Response> response);
+
+/// Of the vortex in three dimensions. Without a response it knows the motion alone: b = a.
+ExactSolutionPtr exact_meridian(const Vortex3d& motion, double density, std::shared_ptr<const Response> response);
 
 /// Of a motion whose F is the same everywhere, with P at any time [Pa].
 ExactSolutionPtr exact_uniform(const Motion& motion, double density, std::function<Tensor(double t)> P);

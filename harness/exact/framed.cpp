@@ -108,6 +108,10 @@ class FramedSolution final : public ExactSolution {
     return found;
   }
 
+  ExactState state(const Vector3& X, double t) const override {
+    return frame_.seen(own_->state(frame_.body_point(X), t), t);
+  }
+
   std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const override {
     Frame frame = frame_;
     Asked of_own = asked;

@@ -219,16 +219,17 @@ Rectangle turned_back(const Rectangle& r, int quarters) {
 
 }  // namespace
 
+Interval side_around(double middle, double half) {
+  const double odd = std::round(middle / half);
+  const bool on_lattice = std::abs(middle - odd * half) <= 1e-12 * std::abs(middle);
+  return on_lattice ? Interval{(odd - 1) * half, (odd + 1) * half} : Interval{middle - half, middle + half};
+}
+
 std::vector<Rectangle> rectangles_around(std::span<const double> X, std::span<const double> Y, const Point& half) {
   std::vector<Rectangle> rectangles(X.size());
-  for (std::size_t d = 0; d < 2; ++d) {
-    const std::span<const double> middle = d == 0 ? X : Y;
-    for (std::size_t p = 0; p < middle.size(); ++p) {
-      const double odd = std::round(middle[p] / half[d]);
-      const bool on_lattice = std::abs(middle[p] - odd * half[d]) <= 1e-12 * std::abs(middle[p]);
-      rectangles[p].lower[d] = on_lattice ? (odd - 1) * half[d] : middle[p] - half[d];
-      rectangles[p].upper[d] = on_lattice ? (odd + 1) * half[d] : middle[p] + half[d];
-    }
+  for (std::size_t p = 0; p < X.size(); ++p) {
+    const Interval along_X = side_around(X[p], half[0]), along_Y = side_around(Y[p], half[1]);
+    rectangles[p] = {{along_X.lower, along_Y.lower}, {along_X.upper, along_Y.upper}};
   }
   return rectangles;
 }

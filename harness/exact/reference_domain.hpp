@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/motion/ring_kinematics.hpp"
+#include "harness/numeric/range.hpp"
 #include "harness/numeric/tensor.hpp"
 
 namespace assay {
@@ -97,7 +98,10 @@ struct ReferenceDomains {
   std::vector<Place> places;  ///< of each particle
 };
 
-/// With these half edges around the points [m]; on a lattice neighbours share their edges to the last bit.
+/// Around a point with a half edge [m]; on a lattice neighbours share their ends to the last bit.
+Interval side_around(double middle, double half);
+
+/// The same in the plane.
 std::vector<Rectangle> rectangles_around(std::span<const double> X, std::span<const double> Y, const Point& half);
 
 /// Whole rectangles, of which the part in the ring bears stress, or (clipped) those parts alone. Rectangles that are

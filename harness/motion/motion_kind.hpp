@@ -57,6 +57,14 @@ inline void period_key(Keys& keys, double& period) {
        {.range = positive});
 }
 
+/// Of m = 1 a body's faces would need tractions.
+inline constexpr Range profile_powers{.lower = 2, .upper = 64, .whole = true};
+
+inline void profile_power_key(Keys& keys, int& power) {
+  keys("profile_power", "m of the profile h = (1 - s^2)^m; m = 1 is excluded: the body's faces would need tractions",
+       power, {.range = profile_powers, .derived = "2 in the plane, 4 of vortex3d"});
+}
+
 inline void axis_key(Keys& keys, Vector3& axis) {
   keys("axis", "axis of the rotation; need not be a unit vector", axis);
 }

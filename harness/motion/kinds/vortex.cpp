@@ -157,8 +157,7 @@ void ring_keys(Keys& keys, Vortex& m) {
   keys("inner", "inner radius ri of the ring [m]", m.inner, {.range = positive});
   keys("outer", "outer radius ro of the ring [m]", m.outer, {.range = positive});
   period_key(keys, m.amplitude.period);
-  keys("profile_power", "m of the profile h = (1 - s^2)^m; m = 1 is excluded: the ring's faces would need tractions",
-       m.profile_power, {.range = {.lower = 2, .upper = 64, .whole = true}});
+  profile_power_key(keys, m.profile_power);
 }
 
 std::optional<MotionFault> fault_of_radii(const Annulus& ring) {

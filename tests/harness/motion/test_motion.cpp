@@ -74,7 +74,7 @@ class OtherValues final : public Keys {
       const auto& v = std::get<std::vector<double>>(value);
       return std::vector<double>{v[0] + 0.3, v[1] - 0.2, v[2] + 0.4};
     }
-    if (type != KeyType::number) return std::nullopt;
+    if (type != KeyType::number || value.index() == 0) return std::nullopt;
     const double number = std::get<double>(value);
     const double other = key.range.whole ? number + 1 : number == 0 ? 0.3 : 1.1 * number;
     return key.range.holds(other) ? std::optional<KeyValue>(other) : std::nullopt;

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/exact/hexahedra.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace assay {
+
+namespace {
+
+/// A domain's faces, whose normals by the order of their corners point outwards.
+constexpr int face_corners[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}, {1, 2, 6, 5}, {3, 0, 4, 7}};
+
+struct HashOfFace {
+  std::size_t operator()(const Hexahedra::Face& face) const {
+    std::size_t seed = 0;
+    for (const std::uint32_t corner : face) seed = seed * 1000003 ^ corner;
+    return seed;
+  }
+};
+
+/// Whether two orders of the same corners go round the same way.
+bool same_way(const Hexahedra::Face& a, const Hexahedra::Face& b) {
+  const auto at = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
+  return b[(at + 1) % 4] == a[1];
+}
+
+/// Of corners in the order of a square's, or in VTK's of a cube: the place at u in [0, 1]^Dim, and its derivatives.
+template <int Dim>
+struct Map {
+  std::array<Vector3, 1 << Dim> corners;
+
+  Vector3 operator()(const std::array<double, Dim>& u) const {
+    Vector3 x = Vector3::Zero();
+    for (std::size_t k = 0; k < corners.size(); ++k) x += weight(k, u, Dim) * corners[k];
+    return x;
+  }
+  Vector3 slope(const std::array<double, Dim>& u, std::size_t along) const {
+    Vector3 x = Vector3::Zero();
+    for (std::size_t k = 0; k < corners.size(); ++k) x += (upper(k, along) ? 1 : -1) * weight(k, u, along) * corners[k];
+    return x;
+  }
+
+ private:
+  static bool upper(std::size_t corner, std::size_t d) {
+    return d == 0 ? (corner % 4 == 1 || corner % 4 == 2) : d == 1 ? corner % 4 >= 2 : corner >= 4;
+  }
+  /// Product of the linear functions of all directions but one.
+  static double weight(std::size_t corner, const std::array<double, Dim>& u, std::size_t without) {
+    double w = 1;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      if (d != without) w *= upper(corner, d) ? u[d] : 1 - u[d];
+    }
+    return w;
+  }
+};
+
+/// A box in [0, 1]^Dim.
+template <int Dim>
+struct Piece {
+  std::array<double, Dim> lower{};
+  double size = 1;
+
+  std::array<double, Dim> at(const std::array<double, Dim>& share) const {
+    std::array<double, Dim> u;
+    for (std::size_t d = 0; d < Dim; ++d) u[d] = lower[d] + size * share[d];
+    return u;
+  }
+};
+
+/// visit(shares in [0, 1]^Dim) for all of a lattice of n^Dim.
+template <int Dim>
+void for_each_share(std::size_t n, const auto& visit) {
+  std::size_t count = 1;
+  for (int d = 0; d < Dim; ++d) count *= n;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::array<std::size_t, Dim> index;
+    for (std::size_t d = 0, rest = k; d < Dim; ++d, rest /= n) index[d] = rest % n;
+    if (!visit(index)) return;
+  }
+}
+
+/// Whether all of the piece seems to lie in one smooth part: as n^Dim of its points do.
+template <int Dim>
+bool is_smooth(const ExactSlice& slice, const Map<Dim>& map, const Piece<Dim>& piece, std::size_t n) {
+  std::optional<std::size_t> part;
+  bool one = true;
+  for_each_share<Dim>(n, [&](const std::array<std::size_t, Dim>& index) {
+    std::array<double, Dim> share;
+    for (std::size_t d = 0; d < Dim; ++d) share[d] = static_cast<double>(index[d]) / static_cast<double>(n - 1);
+    const std::size_t here = slice.part(map(piece.at(share)));
+    one = !part || here == *part;
+    part = here;
+    return one;
+  });
+  return one;
+}
+
+/// visit(u, weight) at Gauss points, of pieces that are halved in all directions where they are not smooth.
+template <int Dim>
+void for_each_gauss_point(const ExactSlice& slice, const Map<Dim>& map, std::span<const GaussPoint> gauss,
+                          int divisions, const Piece<Dim>& piece, const auto& visit) {
+  constexpr std::size_t looks_first = 4, looks = 3;  // along each direction; of a whole face, and of its pieces
+  if (divisions > 0 && slice.has_parts() && !is_smooth(slice, map, piece, piece.size == 1 ? looks_first : looks)) {
+    for_each_share<Dim>(2, [&](const std::array<std::size_t, Dim>& index) {
+      Piece<Dim> half{piece.lower, 0.5 * piece.size};
+      for (std::size_t d = 0; d < Dim; ++d) half.lower[d] += half.size * static_cast<double>(index[d]);
+      for_each_gauss_point(slice, map, gauss, divisions - 1, half, visit);
+      return true;
+    });
+    return;
+  }
+  for_each_share<Dim>(gauss.size(), [&](const std::array<std::size_t, Dim>& index) {
+    std::array<double, Dim> share;
+    double weight = 1;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      share[d] = 0.5 * (1 + gauss[index[d]].at);
+      weight *= 0.5 * piece.size * gauss[index[d]].weight;
+    }
+    visit(piece.at(share), weight);
+    return true;
+  });
+}
+
+template <int Dim, class Indices>
+Map<Dim> map_of(const Hexahedra& domains, const Indices& indices) {
+  Map<Dim> map;
+  for (std::size_t k = 0; k < map.corners.size(); ++k) map.corners[k] = domains.corners()[indices[k]];
+  return map;
+}
+
+double volume_at(const Map<3>& map, const std::array<double, 3>& u) {
+  return map.slope(u, 0).dot(map.slope(u, 1).cross(map.slope(u, 2)));
+}
+
+}  // namespace
+
+Hexahedra::Hexahedra(std::span<const std::array<Vector3, 8>> domains) {
+  std::unordered_map<std::array<double, 4>, std::uint32_t, PositionHash> known;
+  std::unordered_map<Face, std::uint32_t, HashOfFace> known_faces;
+  const auto corner_of = [&](const Vector3& x) {
+    const auto [it, is_new] =
+        known.try_emplace({x.x() + 0.0, x.y() + 0.0, x.z() + 0.0, 0}, static_cast<std::uint32_t>(corners_.size()));
+    if (is_new) corners_.push_back(x);
+    return it->second;
+  };
+  const auto side_of = [&](const Face& face) {
+    Face sorted = face;
+    std::sort(sorted.begin(), sorted.end());
+    const auto [it, is_new] = known_faces.try_emplace(sorted, static_cast<std::uint32_t>(faces_.size()));
+    if (is_new) faces_.push_back(face);
+    return Side{it->second, is_new || same_way(face, faces_[it->second]) ? 1.0 : -1.0};
+  };
+  for (const std::array<Vector3, 8>& given : domains) {
+    Domain domain;
+    for (std::size_t k = 0; k < 8; ++k) domain.corners[k] = corner_of(given[k]);
+    for (std::size_t f = 0; f < 6; ++f) {
+      Face face;
+      for (std::size_t k = 0; k < 4; ++k) face[k] = domain.corners[static_cast<std::size_t>(face_corners[f][k])];
+      domain.sides[f] = side_of(face);
+    }
+    domains_.push_back(domain);
+  }
+}
+
+std::vector<std::array<Vector3, 8>> boxes_around(std::span<const Vector3> points, const Vector3& half) {
+  std::vector<std::array<Vector3, 8>> boxes(points.size());
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const std::array<Interval, 3> sides{side_around(points[p][0], half[0]), side_around(points[p][1], half[1]),
+                                        side_around(points[p][2], half[2])};
+    constexpr int upper[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                 {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+    for (std::size_t k = 0; k < 8; ++k) {
+      for (std::size_t d = 0; d < 3; ++d)
+        boxes[p][k][static_cast<int>(d)] = upper[k][d] ? sides[d].upper : sides[d].lower;
+    }
+  }
+  return boxes;
+}
+
+HexahedronAverage::HexahedronAverage(Hexahedra domains, double density, const HexahedronRule& rule)
+    : domains_(std::move(domains)), density_(density), rule_(rule), gauss_(gauss_points(rule.gauss)) {
+  const auto& exact = gauss_rule<2>();  // det of a trilinear map is quadratic along each direction
+  for (const Hexahedra::Domain& domain : domains_.domains()) {
+    const Map<3> map = map_of<3>(domains_, domain.corners);
+    double volume = 0;
+    for (const GaussPoint& u : exact) {
+      for (const GaussPoint& v : exact) {
+        for (const GaussPoint& w : exact)
+          volume += 0.125 * u.weight * v.weight * w.weight *
+                    volume_at(map, {0.5 * (1 + u.at), 0.5 * (1 + v.at), 0.5 * (1 + w.at)});
+      }
+    }
+    volume_.push_back(volume);
+  }
+}
+
+HexahedronAverage::Flux HexahedronAverage::flux(const ExactSlice& slice, const Hexahedra::Face& face) const {
+  const Map<2> map = map_of<2>(domains_, face);
+  Flux sum;
+  for_each_gauss_point<2>(slice, map, gauss_, rule_.divisions, {}, [&](const std::array<double, 2>& u, double weight) {
+    const Vector3 X = map(u), normal = weight * map.slope(u, 0).cross(map.slope(u, 1));
+    const Vector3 force = slice.first_piola_kirchhoff(X) * normal;
+    sum.force += force;
+    sum.moment += slice.state(X).x.cross(force);
+  });
+  return sum;
+}
+
+HexahedronAverage::Flux HexahedronAverage::inertia(const ExactSlice& slice, const Hexahedra::Domain& domain) const {
+  const Map<3> map = map_of<3>(domains_, domain.corners);
+  Flux sum;
+  for_each_gauss_point<3>(slice, map, gauss_, rule_.divisions / 2, {},
+                          [&](const std::array<double, 3>& u, double weight) {
+                            const ExactState now = slice.state(map(u));
+                            const Vector3 force = density_ * weight * volume_at(map, u) * now.a;
+                            sum.force += force;
+                            sum.moment += now.x.cross(force);
+                          });
+  return sum;
+}
+
+std::vector<DomainForce> HexahedronAverage::at(const ExactSlice& slice, const InPieces& pieces) const {
+  std::vector<Flux> flux_of(domains_.faces().size());
+  pieces(flux_of.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) flux_of[f] = flux(slice, domains_.faces()[f]);
+  });
+  std::vector<DomainForce> found(domains_.domains().size());
+  pieces(found.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const Hexahedra::Domain& domain = domains_.domains()[p];
+      Flux sum = inertia(slice, domain);
+      for (const Hexahedra::Side& side : domain.sides) {
+        sum.force -= side.sign * flux_of[side.face].force;
+        sum.moment -= side.sign * flux_of[side.face].moment;
+      }
+      found[p] = {sum.force / (density_ * volume_[p]), sum.moment};
+    }
+  });
+  return found;
+}
+
+}  // namespace assay

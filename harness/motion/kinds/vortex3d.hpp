@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The generalized vortex in three dimensions: a body of revolution whose points turn about its axis by an angle that
+// varies in the meridian plane. Every point is in simple shear with rotation, as in the plane.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+
+#include "harness/motion/motion_kind.hpp"
+
+namespace assay {
+
+/// A profile h(R, Z) of revolution at a place, with its derivatives in the meridian plane.
+struct MeridianProfile {
+  double h = 0;                         ///< [1]
+  double h_R_by_R = 0;                  ///< h_R/R, also on the axis [1/m^2]
+  double h_Z = 0;                       ///< [1/m]
+  double h_RR = 0, h_RZ = 0, h_ZZ = 0;  ///< [1/m^2]
+};
+
+/// The shape of a vortex. With s^2 < 1 inside the body, h = (1 - s^2)^m:
+///   ball   s^2 = (R^2 + Z^2)/a^2            radius a
+///   torus  s^2 = ((R - R0)^2 + Z^2)/w^2     ring_radius R0, radius w
+///   drum   h = (1 - R^2/a^2)^m (1 - Z^2/c^2)^k    radius a, height c, half of the whole
+struct Revolution {
+  enum class Profile { ball, torus, drum };
+  friend constexpr std::array<const char*, 3> names_of(Profile) { return {"ball", "torus", "drum"}; }
+
+  Profile profile = Profile::ball;
+  double radius = 1;                       ///< a; of a torus w [m]
+  std::optional<double> ring_radius = {};  ///< R0 [m]
+  std::optional<double> height = {};       ///< c [m]
+  static constexpr int usual_power = 4;
+  int profile_power = usual_power;       ///< m
+  std::optional<int> height_power = {};  ///< k
+  Vector3 axis{0, 0, 1};                 ///< not zero; its length does not matter
+  Vector3 center{0, 0, 0};               ///< on the axis [m]
+  double strength = 1;                   ///< factor of h, of either sign [1]
+
+  void keys(auto& key) {
+    const bool is_torus = profile == Profile::torus, is_drum = profile == Profile::drum;
+    key("profile", "shape of the vortex, a body of revolution about its axis", profile);
+    key("radius", "radius a of a ball or drum; of a torus the radius w of its section [m]", radius,
+        {.range = positive});
+    key("ring_radius", "radius R0 of the circle in the middle of a torus, more than radius [m]", ring_radius,
+        {.range = positive, .derived = "required of a torus, which alone has it", .shown = is_torus});
+    key("height", "half the height of a drum, c [m]", height,
+        {.range = positive, .derived = "required of a drum, which alone has it", .shown = is_drum});
+    profile_power_key(key, profile_power);
+    key("height_power", "k of a drum's profile (1 - R^2/a^2)^m (1 - Z^2/c^2)^k", height_power,
+        {.range = profile_powers, .derived = "4 of a drum, which alone has it", .shown = is_drum});
+    axis_key(key, axis);
+    key("center", "point on the axis, in the middle of the vortex [m]", center);
+    key("strength", "factor of the angle against that of the amplitude, of either sign [1]", strength);
+  }
+
+  /// R: distance from the axis, Z: along it from the centre [m]. Absent outside; on the edge the limit from inside.
+  std::optional<MeridianProfile> at(double R, double Z) const;
+
+  /// Half the size of a box around the meridian section, along R from the axis and along Z [m].
+  std::array<double, 2> reach() const;
+
+  /// Whether b is smooth across the edge, to be integrated as if there were none: powers of 4 and more.
+  bool has_smooth_edge() const;
+};
+
+void fields(auto& archive, Revolution& r) {
+  archive(r.profile, r.radius, r.ring_radius, r.height, r.profile_power, r.height_power, r.axis, r.center, r.strength);
+}
+
+/// A point of a vortex, in the meridian plane through it.
+struct MeridianPoint {
+  MeridianProfile profile;
+  double R = 0;         ///< distance from the axis [m]
+  double G = 0;         ///< |k|, k = Grad h = G N [1/m]
+  double c = 1, s = 0;  ///< N = c E_R + s E_Z; where G = 0, E_R
+  double xi = 0;        ///< R G/2 [1]
+  Vector3 center, E_Z;  ///< of the vortex [m], [1]
+  double Z = 0;         ///< along the axis, from the centre [m]
+  Vector3 radial;       ///< R E_R [m]
+
+  Vector3 around() const { return E_Z.cross(radial); }                                ///< R E_Theta [m]
+  Vector3 gradient() const { return profile.h_R_by_R * radial + profile.h_Z * E_Z; }  ///< k [1/m]
+  Tensor rotation(double alpha) const;                                                ///< Q, about the axis
+  Tensor axes() const;  ///< columns N, E_Theta, M = -s E_R + c E_Z
+};
+
+/// x, v, a and F of it. g: of the time.
+ExactState state_of(const MeridianPoint& point, const AmplitudeValue& g);
+
+/// x = C + Q(alpha) (X - C) about the axis through C, alpha = g(t) h(R, Z), in one vortex or in several that have no
+/// point in common.
+struct Vortex3d {
+  Revolution one;                         ///< where no list is given
+  std::vector<Revolution> vortices = {};  ///< in place of it
+  Amplitude amplitude;
+
+  std::span<const Revolution> all() const {
+    return vortices.empty() ? std::span(&one, 1) : std::span<const Revolution>(vortices);
+  }
+
+  /// Where X lies in the vortex that holds it; absent outside all. On an edge it lies inside.
+  std::optional<MeridianPoint> place(const Vector3& X) const;
+
+  ExactState at(const Vector3& X, double t) const;
+
+  /// The largest xi of all vortices.
+  double largest_xi() const;
+
+  /// The baseline F = I + 2 g(t) xi E2 E1 (16) with parameter xi >= 0; E1, E2, E3 are N, E_Theta, M of the point.
+  Path baseline() const;
+};
+
+void fields(auto& archive, Vortex3d& m) { archive(m.one, m.vortices, m.amplitude); }
+
+std::unique_ptr<MotionKind> kind_of(const Vortex3d& motion);
+
+}  // namespace assay
