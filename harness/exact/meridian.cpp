@@ -29,7 +29,8 @@ MeridianResponse meridian_response(const ResponseAtTime& response, double xi, do
 }
 
 Vector3 divergence_piola(const MeridianPoint& p, double g, const MeridianResponse& given) {
-  const auto [by_xi, slope] = balanced({.xi = p.xi}, g, given.tau_by_xi, given.dtau_dxi);
+  const auto [tau, slope] = balanced({.xi = p.xi}, g, p.xi * given.tau_by_xi, given.dtau_dxi);
+  const Tensor by_xi = p.xi > 0 ? Tensor(tau / p.xi) : given.tau_by_xi;
   const MeridianProfile& h = p.profile;
   const double c = p.c, s = p.s, h_R = p.R * h.h_R_by_R, beta = g * p.G;
   const double H_NN = c * c * h.h_RR + 2 * c * s * h.h_RZ + s * s * h.h_ZZ;
