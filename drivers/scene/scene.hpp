@@ -130,14 +130,15 @@ struct TimeChoice {
         "planned: equal steps from the exact motion; current: steps from the present fastest wave and particle",
         control);
   }
-  /// The key that fixes equal steps in place of method.courant, their length dt [s], and how a message begins with
-  /// both.
+  /// The key that fixes equal steps in place of method.courant, their length dt [s], how a message begins with both,
+  /// and what makes them shorter.
   struct FixedStep {
     double dt;
-    const char *key, *says;
+    const char *key, *says, *shorter;
   };
   std::optional<FixedStep> fixed_step() const {
-    return step ? std::optional(FixedStep{*step, "time.step", "time.step = "}) : std::nullopt;
+    if (!step) return std::nullopt;
+    return FixedStep{*step, "time.step", "time.step = ", "a shorter time.step"};
   }
 };
 

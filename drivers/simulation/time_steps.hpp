@@ -25,7 +25,7 @@ double viscous_shortening(const Problem& problem, double wave, double shrinking)
 /// The fastest that the exact motion shrinks volumes, -tr D [1/s]; at least 0.
 double fastest_shrinking(const Scene& scene);
 
-/// dt and the number of steps, from time.step or the Courant number and both speeds. Throws InputError.
+/// dt and the number of steps, from the key that fixes them or the Courant number and both speeds. Throws InputError.
 void plan_steps(Problem& problem);
 
 /// Steps as long as the particles allow now, in place of equal ones planned by the exact motion.

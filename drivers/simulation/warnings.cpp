@@ -69,13 +69,15 @@ std::string jump_sentence(const Problem& problem) {
   const auto* table = problem.scene.motion.as<DeformationTable>();
   if (!table || !problem.compared) return "";
   const double end = problem.scene.time.end, jump = largest_jump(*table, end);
+  const auto fixed = problem.scene.time.fixed_step();
   double largest = 0;
   for (const Tensor& F : table->rows()) largest = std::max(largest, (F - Tensor::Identity()).norm());
   const double share = 0.5 * problem.dt * jump * end / largest;
   if (!(share > noticeable)) return "";
   return "the body force jumps at the rows of motion.path, by up to " + rounded_text(jump, 3) +
          " /s^2 in F'': steps of " + rounded_text(problem.dt, 3) + " s may turn that into an error of " +
-         rounded_text(100 * share, 2) + " % of the motion; take a shorter time.step, or motion.interpolation: spline";
+         rounded_text(100 * share, 2) + " % of the motion; take " +
+         (fixed ? fixed->shorter : "a smaller method.courant") + ", or motion.interpolation: spline";
 }
 
 std::string late_snapshots_sentence(const Problem& problem) {

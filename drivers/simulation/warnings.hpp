@@ -35,7 +35,7 @@ std::string period_text(const Problem& problem, double period);
 /// That it is, which is to be told before a run of hours; empty: it is not.
 std::string long_motion_sentence(const Problem& problem);
 
-/// One sentence each: a motion that is very long against the waves in the body; a time.step beyond a Courant number of
+/// One sentence each: a motion that is very long against the waves in the body; fixed steps beyond a Courant number of
 /// 1; stress at rest, which free faces do not bear; a spline that goes beyond its rows; a body force that jumps at rows
 /// by more than steps of this length resolve; snapshots from a time on that is not reached; a density in t/mm^3; cells
 /// larger than the body; particles at the ends of splines.

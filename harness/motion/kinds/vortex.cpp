@@ -31,7 +31,7 @@ double change_between(double low, double high, const auto& holds) {
 
 }  // namespace
 
-Vortex::Profile Vortex::profile(double R) const {
+RingProfile Vortex::profile(double R) const {
   if (std::abs(R - inner) <= edge_tolerance * inner) R = inner;
   if (std::abs(R - outer) <= edge_tolerance * outer) R = outer;
   if (R < inner || R > outer) return {};
@@ -40,7 +40,7 @@ Vortex::Profile Vortex::profile(double R) const {
   const double s = (R - 0.5 * (inner + outer)) / half_width;
   const double q = (outer - R) * (R - inner) / (half_width * half_width);  // 1 - s^2, exactly 0 on the edges
   const double lower_power = std::pow(q, m - 2);                           // 1 for m = 2, on the edges too
-  Profile p;
+  RingProfile p;
   p.h = lower_power * q * q;
   p.h_prime = -2 * m * lower_power * q * s / half_width;
   const double h_second = (4 * m * (m - 1) * lower_power * s * s - 2 * m * lower_power * q) / (half_width * half_width);
@@ -56,7 +56,7 @@ bool Vortex::moves(const Vector3& X) const {
 
 ExactState Vortex::at(const Vector3& X, double t) const {
   const double R = std::hypot(X.x(), X.y());
-  const Profile p = profile(R);
+  const RingProfile p = profile(R);
   const AmplitudeValue g = amplitude.at(t);
   const Tensor Q = rotation_about_z(g.value * p.h);  // (4), (5)
   ExactState state;

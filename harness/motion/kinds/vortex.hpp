@@ -14,10 +14,8 @@ struct Vortex {
   int profile_power = 2;  ///< m
   Amplitude amplitude;
 
-  using Profile = RingProfile;
-
   /// At the radii ri and ro themselves: the limit from inside.
-  Profile profile(double R) const;
+  RingProfile profile(double R) const;
 
   /// Whether the exact motion moves the point: ri < R < ro.
   bool moves(const Vector3& X) const;

@@ -17,7 +17,7 @@ constexpr double density = 1000;
 Tensor piola_at(const ModelCase& c, const Vortex& vortex, const Vector3& X, double t) {
   const double R = X.norm();
   const Vector3 E_R = X / R, E_Theta(-E_R.y(), E_R.x(), 0);
-  const Vortex::Profile profile = vortex.profile(R);
+  const RingProfile profile = vortex.profile(R);
   const auto F = [&](double s) { return vortex.at(X, s).F; };
   const auto F_rate = [&](double s) {
     const AmplitudeValue g = vortex.amplitude.at(s);
@@ -59,7 +59,7 @@ std::vector<Place> places_in(const Setting& setting, const Sheet& sheet, int cou
   while (static_cast<int>(places.size()) < count) {
     const double R = vortex.inner + uniform() * (vortex.outer - vortex.inner), angle = 6.28 * uniform();
     const double t = setting.end * (first_time + (1 - first_time) * uniform());
-    const Vortex::Profile p = vortex.profile(R);
+    const RingProfile p = vortex.profile(R);
     const double distance = distance_from_kinks(sheet, range, p.xi, t);
     const double step = std::min(longest, share * distance / std::abs(p.xi_prime));
     if (distance < away * range.width()) continue;
@@ -92,7 +92,7 @@ ForceDifference force_difference(const ModelCase& c, const Setting& setting, con
   double scale = 0, divergence_scale = 0;
   for (const Place& place : places) {
     const double R = place.X.norm(), g = setting.vortex.amplitude.at(place.t).value;
-    const Vortex::Profile profile = setting.vortex.profile(R);
+    const RingProfile profile = setting.vortex.profile(R);
     Tensor tau, dtau;
     sheet.at(profile.xi, place.t, tau, dtau);
     const Vector3 exact = force_by_differences(c, setting.vortex, place.X, place.t, place.step);

@@ -163,7 +163,7 @@ TEST(BodyForce, PiolaAndCauchyFormsOfTheDivergenceAgree) {
 TEST(BodyForce, OnlyTheErrorOfATableIsMadeSymmetric) {
   const Case c = cases()[0];
   const double R = 0.9, t = 0.4, g = c.vortex.amplitude.at(t).value;
-  const Vortex::Profile profile = c.vortex.profile(R);
+  const RingProfile profile = c.vortex.profile(R);
   for (const auto& [share, apart] : {std::pair{1e-8, false}, std::pair{1e-2, true}}) {
     Tensor tau, slope;
     closed_form(c).at(profile.xi, t, tau, slope);

@@ -53,7 +53,7 @@ struct MadeUp {
 /// Pointwise b in E_x, E_y.
 Point pointwise(const Vortex& vortex, const MadeUp& model, double t, const Point& X) {
   const double R = std::hypot(X[0], X[1]);
-  const Vortex::Profile profile = vortex.profile(R);
+  const RingProfile profile = vortex.profile(R);
   Tensor tau, dtau;
   model.at(profile.xi, t, tau, dtau);
   const Polar b = body_force(vortex, density, R, t, tau, dtau);

@@ -23,7 +23,7 @@ TEST(ForceError, BoundsTheDifferenceToABetterSheet) {
   for (int i = 0; i < 50; ++i) {
     for (int j = 0; j < 20; ++j) {
       const double R = 0.75 + 0.5 * (i + 0.5) / 50, t = (j + 0.5) / 20;
-      const Vortex::Profile profile = vortex.profile(R);
+      const RingProfile profile = vortex.profile(R);
       Polar b[2];
       for (const bool better : {false, true}) {
         Tensor tau, dtau;

@@ -85,7 +85,7 @@ TEST(TwistingRing, WithoutExpansionItIsTheVortex) {
     const ExactState a = ring.at(X, t), b = ring.twist.at(X, t);
     EXPECT_LT((a.x - b.x).norm() + (a.v - b.v).norm() + (a.a - b.a).norm(), 1e-13);
     EXPECT_LT((a.F - b.F).norm() + (a.F_rate - b.F_rate).norm(), 1e-13);
-    const Vortex::Profile profile = ring.twist.profile(R);
+    const RingProfile profile = ring.twist.profile(R);
     Tensor tau, slope;  // any: both make the same of them
     tau << 3, 1.5, 0, 1.5, -2, 0, 0, 0, 1;
     slope << 0.7, -0.2, 0, 0.4, 1.1, 0, 0, 0, 0.3;
