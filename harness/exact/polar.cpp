@@ -255,7 +255,7 @@ class PolarSolution final : public ExactSolution {
                                      : body_force(polar.profile(R), polar.turn().at(t), density_, R, tau, dtau_dxi);
       const Tensor P = ring.first_piola_kirchhoff(X, tau);
       Vector3 force = ring.cartesian(X, b);
-      if (tau(2, 0) != 0 && R > 0)  // of a direction out of the plane; DIV(T) along E_z
+      if (R > 0)  // DIV(T) along E_z, of a direction out of the plane
         force.z() -= (xi.slope * dtau_dxi(2, 0) + tau(2, 0) / R) / density_;
       found.push_back({state, {P, cauchy_stress(P, state.F), force}});
     }
