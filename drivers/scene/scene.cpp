@@ -47,11 +47,14 @@ std::vector<Path> baseline_paths(const Scene& scene) {
   constexpr int sections = 4;
   const Interval along_X = cosines(scene.body.lower[0], scene.body.upper[0]);
   const Interval along_Y = cosines(scene.body.lower[1], scene.body.upper[1]);
+  const auto cosines_of_Z = box->s().z() == 0 ? std::vector<double>{1} : std::vector<double>{-1, 0, 1};
   std::vector<Path> paths;
-  for (int k = 0; k <= sections; ++k) {
-    Path path = box->section(along_Y.lower + along_Y.width() * k / sections);
-    path.parameter = along_X;
-    paths.push_back(with_direction(std::move(path), scene));
+  for (const double cosine_of_Z : cosines_of_Z) {
+    for (int k = 0; k <= sections; ++k) {
+      Path path = box->section(along_Y.lower + along_Y.width() * k / sections, cosine_of_Z);
+      path.parameter = along_X;
+      paths.push_back(with_direction(std::move(path), scene));
+    }
   }
   return paths;
 }

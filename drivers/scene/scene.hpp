@@ -188,6 +188,7 @@ struct Expectation {
 
 struct Scene {
   std::string title;
+  int dimension = 2;   ///< 3: points, vectors and tensors have all components
   std::string file;    ///< as given on the command line
   std::string sha256;  ///< of the file's bytes
   Motion motion;
@@ -207,6 +208,11 @@ struct Scene {
 
   void keys(auto& key) {
     key("title", "one-line title for pictures and reports", title);
+    key("dimension", "2 in the plane, 3 in space, where eval writes all components; methods are plane so far",
+        dimension,
+        {.range = {.lower = 2, .upper = 3, .whole = true},
+         .derived = "2; 3 for a motion that is in space only",
+         .shown = dimension == 3});
     key("motion.allow_unstable",
         "run a motion that is not a stable solution for the model; otherwise the run is refused", allow_unstable);
   }
@@ -225,7 +231,8 @@ struct Scene {
 /// The baseline of the scene's motion with the material's direction, a unit vector, in its frame: E1 = e_R.
 Path baseline_path(const Scene& scene);
 
-/// All paths that points of the body take: of the axis-aligned motion one for each of some Y, of others the baseline.
+/// All paths that points of the body take: of the axis-aligned motion one for each of some Y and Z, of others the
+/// baseline.
 std::vector<Path> baseline_paths(const Scene& scene);
 
 }  // namespace assay::drivers

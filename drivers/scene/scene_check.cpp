@@ -30,7 +30,9 @@ class SceneCheck {
 
   void all() const {
     check_title();
-    const MotionUse use{scene_.time.end, scene_.method.has_value(), [&](const std::string& key) { return given(key); }};
+    check_dimension();
+    const MotionUse use{scene_.time.end, scene_.method.has_value(), [&](const std::string& key) { return given(key); },
+                        scene_.dimension};
     if (const auto found = scene_.motion->fault(use)) refuse_if(true, found->key, found->what);
     const auto direction = scene_.material.direction.value_or(std::array{1.0, 0.0, 0.0});
     refuse_if(direction[0] == 0 && direction[1] == 0 && direction[2] == 0, "material.direction", "must not be zero");
@@ -63,6 +65,16 @@ class SceneCheck {
     }
     refuse_if(one_line(scene_.title, scene_.title.size()) != scene_.title, "title",
               "must be one line of text, found '" + shown(scene_.title, 200) + "'");
+  }
+
+  bool in_space() const { return scene_.dimension == 3; }
+
+  void check_dimension() const {
+    refuse_if(!in_space() && scene_.motion->only_in_space(), "dimension",
+              "must be 3 for motion.type " + motion_type(scene_) + ", which has no plane version");
+    refuse_if(in_space() && scene_.method, "method",
+              "the particles are plane so far, and dimension is 3: leave one of the two out; eval and tabulate need no "
+              "method");
   }
 
   void check_corners(const std::array<double, 2>& lower, const std::array<double, 2>& upper,
@@ -163,8 +175,14 @@ class SceneCheck {
   }
 
   void check_frame(const Frame& frame) const {
-    refuse_if(!is_vortex(scene_.motion), "frame", "serves the vortex, and motion.type is " + motion_type(scene_));
-    refuse_if(frame.moves() && scene_.body.outside == Body::Outside::held,
+    refuse_if(frame.axis == Vector3::Zero(), "frame.axis", "must not be zero");
+    refuse_if(!in_space() && frame.unit_axis() != Vector3::UnitZ(), "frame.axis",
+              "must be [0, 0, 1] in the plane: another axis needs dimension: 3");
+    refuse_if(!in_space() && frame.velocity.z() != 0, "frame.velocity",
+              "has two numbers in the plane: a third needs dimension: 3");
+    refuse_if(!in_space() && !is_vortex(scene_.motion), "frame",
+              "serves the vortex, and motion.type is " + motion_type(scene_));
+    refuse_if(!in_space() && frame.moves() && scene_.body.outside == Body::Outside::held,
               frame.spin != 0 ? "frame.spin" : "frame.velocity",
               "moves the ring over the grid, whose nodes around it are held: take body.outside: free or a ring alone");
     refuse_if(frame.spin != 0 && is_free_, "frame.spin",

@@ -32,8 +32,10 @@ std::vector<Key> own_keys(const std::string& section) {
 std::vector<Section> all_sections() {
   std::vector<Key> of_motion = motion_keys();
   append_all(of_motion, own_keys("motion"));
-  Section frame = section("frame", "observer's frame for the vortex; without it: the body's own frame", &Scene::frame);
-  for (Key& key : frame.keys) key.motions = vortex_motions();
+  Section frame =
+      section("frame", "observer's frame, for the vortex and with dimension: 3; without it: the body's own frame",
+              &Scene::frame);
+  for (Key& key : frame.keys) key.motions = vortex_motions(), key.all_motions_in_space = true;
   Section material = section("material", "the constitutive model", &Scene::material);
   material.required = true;
   return {
@@ -104,7 +106,9 @@ const std::vector<Key>& scene_keys() {
   return keys;
 }
 
-bool of_motion(const Key& key, const Scene& scene) { return admits(key.motions, motion_type(scene)); }
+bool of_motion(const Key& key, const Scene& scene) {
+  return admits(key.motions, motion_type(scene)) || (key.all_motions_in_space && scene.dimension == 3);
+}
 
 bool applies(const Key& key, const Scene& scene) {
   return of_motion(key, scene) && admits(key.domains, domain_name(scene.body.domain));

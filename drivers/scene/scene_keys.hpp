@@ -27,6 +27,7 @@ struct Key {
   bool required = false;
   std::string derived = {};                   ///< how the default follows from other keys; empty: it is a constant
   std::vector<std::string> motions, domains;  ///< words of motion.type and body.domain for which it exists; empty: all
+  bool all_motions_in_space = false;          ///< where the dimension is 3 it exists for all
   std::function<Value(const Scene&)> get;     ///< absent: nothing to be written
   std::function<void(Scene&, const Value&)> set;
 };

@@ -53,6 +53,8 @@ Value read_value(const Key& key, const Tree& tree) {
       return numbers_value(tree, key.path, 1, 2, key.range);
     case KeyType::vector:
       return numbers_value(tree, key.path, 1, 3, key.range);
+    case KeyType::pair_or_vector:
+      return numbers_value(tree, key.path, 1, tree.items.size() == 3 ? 3 : 2, key.range);
     case KeyType::matrix:
       return numbers_value(tree, key.path, 3, 3, key.range);
   }
@@ -184,8 +186,9 @@ void read_motion_path(const Tree& root, Interpolation otherwise, Scene& scene) {
   }
 }
 
-/// What the body is unless the scene says otherwise.
-void begin_body(Scene& scene) {
+/// What dimension and body are unless the scene says otherwise.
+void begin_motion(Scene& scene) {
+  if (scene.motion->only_in_space() && !scene.places.contains("dimension")) scene.dimension = 3;
   if (!ring_of(scene.motion)) scene.body.domain = Body::Domain::square;
   scene.body.lower = scene.motion->usual_lower(), scene.body.upper = scene.motion->usual_upper();
 }
@@ -215,10 +218,11 @@ Scene scene_of(const Tree& root, const std::string& file, const std::string& sha
   begin_sections(root, scene);
   for (const Key& key : scene_keys()) {
     read_key(key, root, scene);
-    if (key.path == "motion.type") begin_body(scene);
+    if (key.path == "motion.type") begin_motion(scene);
   }
   read_material(root, scene);
   read_motion_path(root, otherwise, scene);
+  scene.motion->set_dimension(scene.dimension);
   derive(root, scene);
   if (const Tree* expect = value_at(root, "expect")) scene.expect = read_expectations(*expect);
   check_scene(scene, [&](const std::string& path) {

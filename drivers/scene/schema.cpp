@@ -42,9 +42,10 @@ Json number_schema(const Range& range) {
   return out;
 }
 
-Json list_schema(const Json& items, int count) {
-  return {{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
+Json list_schema(const Json& items, int fewest, int most) {
+  return {{"type", "array"}, {"items", items}, {"minItems", fewest}, {"maxItems", most}};
 }
+Json list_schema(const Json& items, int count) { return list_schema(items, count, count); }
 
 /// A map of one operator.
 Json operator_schema(const std::string& name, const Json& value) {
@@ -132,6 +133,8 @@ nlohmann::ordered_json type_schema(const Key& key) {
       return list_schema(number_schema(key.range), 2);
     case KeyType::vector:
       return list_schema(number_schema(key.range), 3);
+    case KeyType::pair_or_vector:
+      return list_schema(number_schema(key.range), 2, 3);
     case KeyType::matrix:
       return list_schema(list_schema(number_schema(key.range), 3), 3);
   }

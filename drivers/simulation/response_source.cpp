@@ -119,7 +119,8 @@ void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>
   constexpr double edge_rounding = 1e-9;  // of a radius: points on the ring's edges are in the ring
   if (const auto ring = ring_of(scene.motion); ring && !is_vortex(scene.motion)) {
     for (const ReferencePoint& point : points) {
-      const double R = std::hypot(point.X, point.Y);
+      const Vector3 seen(point.X, point.Y, point.Z), X = scene.frame ? scene.frame->body_point(seen) : seen;
+      const double R = std::hypot(X.x(), X.y());
       if (R >= ring->inner * (1 - edge_rounding) && R <= ring->outer * (1 + edge_rounding)) continue;
       throw InputError({file, point.line, 1}, "X",
                        "the point is at the radius " + rounded_text(R, 6) + ", outside of the ring between " +

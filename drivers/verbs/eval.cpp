@@ -77,7 +77,7 @@ std::string evaluated(const EvalOptions& options) {
   refuse_input_as_output(options.out, "-o");
   warn_of_instability(scene, *material, end, quiet);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
-  const bool three = scene.motion->is_spatial();
+  const bool three = scene.dimension == 3 || scene.motion->is_spatial();
   const std::vector<ExactPoint> exact = exact_points(scene, material, points.points, end, quiet);
   std::vector<std::string> names;
   visit_columns({}, {}, three, points.has_normals, [&](const std::string& name, double) { names.push_back(name); });

@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <stdexcept>
 
 #include "harness/exact/box_stress.hpp"
 #include "harness/history/point_driver.hpp"
@@ -31,34 +32,32 @@ Tensor difference(const std::array<Tensor, 5>& f) {
 }
 
 /// Stress and b = a - DIV(P)/rho0 at one point at ascending times > 0. The gradient of P is taken by differences of
-/// fourth order between the histories of neighbouring cos(pi X) and cos(pi Y): some 10 digits, fewer where a front runs
-/// between them.
+/// fourth order between the histories of neighbouring cos(pi X_i): some 10 digits, fewer where a front runs between
+/// them.
 std::vector<ExactStress> stress_of_point(const Material& material, const AxisAligned& motion, double density,
                                          const Vector3& X, std::span<const double> times,
                                          const std::array<double, 3>& material_direction) {
   using std::numbers::pi;
-  const int directions = motion.one_dimensional ? 1 : 2;
-  const std::array<double, 2> cosine{std::cos(pi * X.x()), std::cos(pi * X.y())};
-  const auto tau_at = [&](double of_X, double of_Y) {
-    Path path = motion.section(of_Y);
+  const Vector3 factor = motion.s(), cosine = (pi * X).array().cos();
+  const auto tau_at = [&](const Vector3& of) {
+    Path path = motion.section(of.y(), of.z());
     path.material_direction = material_direction;
-    path.parameter.lower = std::min(path.parameter.lower, of_X), path.parameter.upper = std::max(1.0, of_X);
-    return history_of(material, path, of_X, times);
+    path.parameter.lower = std::min(path.parameter.lower, of.x()), path.parameter.upper = std::max(1.0, of.x());
+    return history_of(material, path, of.x(), times);
   };
-  const std::vector<Tensor> tau = tau_at(cosine[0], cosine[1]);
+  const std::vector<Tensor> tau = tau_at(cosine);
   std::vector<ExactStress> stress(times.size());
   for (std::size_t k = 0; k < times.size(); ++k) {
     const ExactState state = motion.at(X, times[k]);
     stress[k] = {tau[k], cauchy_stress(tau[k], state.F), state.a};
   }
-  for (int d = 0; d < directions; ++d) {
+  for (int d = 0; d < 3; ++d) {
     const double slope = -pi * std::sin(pi * X(d));  // of the cosine [1/m]
-    if (std::abs(slope) < 1e-12) continue;
+    if (factor(d) == 0 || std::abs(slope) < 1e-12) continue;
     std::array<std::vector<Tensor>, 5> near;
     for (std::size_t i = 0; i < difference_places.size(); ++i) {
-      std::array<double, 2> at = cosine;
-      at[static_cast<std::size_t>(d)] += difference_places[i] * difference_step;
-      if (difference_places[i] != 0) near[i] = tau_at(at[0], at[1]);
+      const Vector3 at = cosine + difference_places[i] * difference_step * Vector3::Unit(d);
+      if (difference_places[i] != 0) near[i] = tau_at(at);
     }
     for (std::size_t k = 0; k < times.size(); ++k) {
       const Tensor dtau = slope * difference({near[0][k], near[1][k], tau[k], near[3][k], near[4][k]});
@@ -151,8 +150,7 @@ class BoxInstant final : public ExactInstant {
 
   void body_force(std::span<double> b_x, std::span<double> b_y, const InPieces&) override {
     const auto series = stress_->at(t_);
-    const double g = motion_.amplitude.at(t_).acceleration;  // of u_x where sin(pi X) = 1 [m/s^2]
-    const double inertia[] = {g, motion_.one_dimensional ? 0 : -g};
+    const Vector3 inertia = motion_.amplitude.at(t_).acceleration * motion_.s();  // where sin(pi X_i) = 1 [m/s^2]
     const std::array<std::span<double>, 2> b{b_x, b_y};
     for (std::size_t d = 0; d < 2; ++d) {
       const auto modes = static_cast<std::size_t>(series->modes(1 - d));
@@ -162,15 +160,16 @@ class BoxInstant final : public ExactInstant {
       for (std::size_t p = 0; p < b[d].size(); ++p) {
         const std::uint32_t row = sides_[d].row_of(p), across = sides_[1 - d].row_of(p);
         const double divergence = sum_of_modes(sides_[1 - d].mean(across), slope(row));  // d P_dd / d X_d
-        b[d][p] = inertia[d] * sides_[d].mean_sine(row) - divergence / density_;
+        b[d][p] = inertia(static_cast<int>(d)) * sides_[d].mean_sine(row) - divergence / density_;
       }
     }
   }
 
   PlaneMean mean(std::size_t p) const override {
     const AmplitudeValue g = motion_.amplitude.at(t_);
-    const Point sine{sides_[0].mean_sine(sides_[0].row_of(p)),
-                     motion_.one_dimensional ? 0 : -sides_[1].mean_sine(sides_[1].row_of(p))};
+    const Vector3 s = motion_.s();
+    const Point sine{s.x() * sides_[0].mean_sine(sides_[0].row_of(p)),
+                     s.y() * sides_[1].mean_sine(sides_[1].row_of(p))};
     return {{X_[p] + g.value * sine[0], Y_[p] + g.value * sine[1]}, {g.rate * sine[0], g.rate * sine[1]}};
   }
 
@@ -200,11 +199,11 @@ class BoxSolution final : public ExactSolution {
   /// The stress of points at rest is that of t = 0, where nothing is deformed.
   std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between) const override {
     std::vector<ExactPoint> found(points.size());
-    std::map<std::array<double, 2>, std::map<double, std::vector<std::size_t>>> by_place;  // then by time
+    std::map<std::array<double, 3>, std::map<double, std::vector<std::size_t>>> by_place;  // then by time
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto& [X, t] = points[i];
       found[i].state = box_.at(X, t);
-      if (t > 0) by_place[{X.x(), X.y()}][t].push_back(i);
+      if (t > 0) by_place[{X.x(), X.y(), X.z()}][t].push_back(i);
     }
     double places = 0;
     for (const auto& [place, by_time] : by_place) {
@@ -212,7 +211,7 @@ class BoxSolution final : public ExactSolution {
       std::vector<double> times;
       for (const auto& [t, which] : by_time) times.push_back(t);
       const auto stress =
-          stress_of_point(*material_, box_, density_, {place[0], place[1], 0}, times, options_.direction);
+          stress_of_point(*material_, box_, density_, {place[0], place[1], place[2]}, times, options_.direction);
       std::size_t k = 0;
       for (const auto& [t, which] : by_time) {
         for (const std::size_t i : which) found[i].stress = stress[k];
@@ -229,6 +228,7 @@ class BoxSolution final : public ExactSolution {
 
  private:
   std::shared_ptr<BoxSeriesInTime> series() const {
+    if (box_.s().z() != 0) throw std::logic_error("the series of the box is plane");
     std::call_once(once_, [this] { series_ = std::make_shared<BoxSeriesInTime>(material_, box_, options_); });
     return series_;
   }

@@ -248,12 +248,16 @@ class PolarSolution final : public ExactSolution {
       const double R = std::hypot(X.x(), X.y());
       const RingKinematics ring = ring_kinematics(motion_, R, t);
       Tensor tau, dtau_dxi;
-      response_->at(ring_parameter(motion_, R).value, t, tau, dtau_dxi);
+      const RingParameter xi = ring_parameter(motion_, R);
+      response_->at(xi.value, t, tau, dtau_dxi);
       const PolarMotion& polar = *motion_->polar();
       const Polar b = polar.widens() ? ring.body_force(density_, R, tau, dtau_dxi)
                                      : body_force(polar.profile(R), polar.turn().at(t), density_, R, tau, dtau_dxi);
       const Tensor P = ring.first_piola_kirchhoff(X, tau);
-      found.push_back({state, {P, cauchy_stress(P, state.F), ring.cartesian(X, b)}});
+      Vector3 force = ring.cartesian(X, b);
+      if (R > 0)  // DIV(T) along E_z, of a direction out of the plane
+        force.z() -= (xi.slope * dtau_dxi(2, 0) + tau(2, 0) / R) / density_;
+      found.push_back({state, {P, cauchy_stress(P, state.F), force}});
     }
     return found;
   }

@@ -74,6 +74,7 @@ struct MotionUse {
   double end = 0;                                     ///< of the scene [s]
   bool by_method = false;                             ///< a particle method, which is plane strain, runs it
   std::function<bool(const std::string& key)> gives;  ///< whether the scene gives the key
+  int dimension = 2;                                  ///< of the scene
 };
 
 class MotionKind {
@@ -85,6 +86,8 @@ class MotionKind {
 
   virtual std::string_view type() const = 0;  ///< the word of `motion.type`
   virtual void keys(Keys& keys) = 0;
+  /// Called once all keys are read: defaults may follow from the scene's dimension, 2 or 3.
+  virtual void set_dimension(int) {}
   virtual std::optional<MotionFault> fault(const MotionUse&) const { return std::nullopt; }
 
   virtual ExactState at(const Vector3& X, double t) const = 0;
@@ -98,6 +101,7 @@ class MotionKind {
   virtual bool accelerates() const { return true; }        ///< any point, ever
   virtual bool is_plane() const { return true; }           ///< F13 .. F32 = 0, F33 = 1
   virtual bool is_spatial() const { return !is_plane(); }  ///< tables of it have all components
+  virtual bool only_in_space() const { return false; }     ///< there is no plane version of it
   virtual bool bears_tractions() const { return true; }    ///< on the surface of the body
 
   /// Corners of a square or box unless the scene says otherwise [m].

@@ -24,8 +24,9 @@ namespace assay {
 /// monostate: absent.
 using KeyValue = std::variant<std::monostate, bool, double, std::string, std::vector<double>>;
 
-/// automatic: a number, or the word "auto", which is what stands where nothing is given.
-enum class KeyType { number, automatic, boolean, text, choice, pair, vector, matrix };
+/// automatic: a number, or the word "auto", which is what stands where nothing is given. pair_or_vector: two numbers,
+/// or three in space.
+enum class KeyType { number, automatic, boolean, text, choice, pair, vector, pair_or_vector, matrix };
 
 /// What a struct says about a key besides name, text and value.
 struct KeyRules {
@@ -62,6 +63,7 @@ constexpr KeyType type_of() {
   if constexpr (std::is_same_v<Kept, std::string>) return KeyType::text;
   if constexpr (std::is_enum_v<Kept>) return KeyType::choice;
   if constexpr (std::is_same_v<Kept, Vector3>) return KeyType::vector;
+  if constexpr (std::is_same_v<Kept, std::vector<double>>) return KeyType::pair_or_vector;
   if constexpr (std::is_same_v<Kept, Tensor>) return KeyType::matrix;
   if constexpr (requires(Kept k) { std::tuple_size<Kept>::value; })
     return std::tuple_size_v<Kept> == 2 ? KeyType::pair : KeyType::vector;

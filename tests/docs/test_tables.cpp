@@ -53,7 +53,9 @@ std::string type(const Json& key) {
   if (name != "array") return name + bounds(key);
   const Json& items = key["items"];
   if (items["type"] == "array") return "3 rows of 3 numbers";
-  return std::to_string(key["minItems"].get<int>()) + " " + items["type"].get<std::string>() + "s" + bounds(items);
+  const int fewest = key["minItems"], most = key["maxItems"];
+  const std::string count = std::to_string(fewest) + (most > fewest ? " or " + std::to_string(most) : "");
+  return count + " " + items["type"].get<std::string>() + "s" + bounds(items);
 }
 
 std::string default_text(const Json& key, bool required) {

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// g = pi A sin(c pi t), d u_x / d X where cos(pi X) = 1 [1].
+/// g = pi A sin(c pi t), (d u_i / d X_i) / s_i where cos(pi X_i) = 1 [1].
 AmplitudeValue strain(const Amplitude& amplitude, double t) {
   AmplitudeValue g = amplitude.at(t);
   g.value *= pi, g.rate *= pi, g.acceleration *= pi;
@@ -22,20 +22,27 @@ AmplitudeValue strain(const Amplitude& amplitude, double t) {
 
 struct Section {
   AxisAligned motion;
-  double cosine_of_Y = 1;
-  Path baseline() const { return motion.section(cosine_of_Y); }
+  double cosine_of_Y = 1, cosine_of_Z = 1;
+  Path baseline() const { return motion.section(cosine_of_Y, cosine_of_Z); }
 };
 
-void fields(auto& archive, Section& s) { archive(s.motion, s.cosine_of_Y); }
+void fields(auto& archive, Section& s) { archive(s.motion, s.cosine_of_Y, s.cosine_of_Z); }
 
 }  // namespace
+
+Vector3 AxisAligned::s() const {
+  if (one_dimensional) return Vector3::UnitX();
+  return factors.value_or(Vector3(1, -1, in_space ? 0.5 : 0));
+}
 
 ExactState AxisAligned::at(const Vector3& X, double t) const {
   const AmplitudeValue g = strain(amplitude, t);
   ExactState state;
   state.x = X;
-  for (int d = 0; d < (one_dimensional ? 1 : 2); ++d) {
-    const double sign = d == 0 ? 1 : -1, sine = sign * std::sin(pi * X(d)) / pi, cosine = sign * std::cos(pi * X(d));
+  const Vector3 factor = s();
+  for (int d = 0; d < 3; ++d) {
+    if (factor(d) == 0) continue;
+    const double sine = factor(d) * std::sin(pi * X(d)) / pi, cosine = factor(d) * std::cos(pi * X(d));
     state.x(d) += g.value * sine;
     state.v(d) = g.rate * sine;
     state.a(d) = g.acceleration * sine;
@@ -48,24 +55,27 @@ ExactState AxisAligned::at(const Vector3& X, double t) const {
 Tensor AxisAligned::acceleration_gradient(const Vector3& X, double t) const {
   const double g = strain(amplitude, t).acceleration;
   Tensor gradient = Tensor::Zero();
-  gradient(0, 0) = g * std::cos(pi * X.x());
-  if (!one_dimensional) gradient(1, 1) = -g * std::cos(pi * X.y());
+  const Vector3 factor = s();
+  for (int d = 0; d < 3; ++d) {
+    if (factor(d) != 0) gradient(d, d) = factor(d) * g * std::cos(pi * X(d));
+  }
   return gradient;
 }
 
-Path AxisAligned::section(double s) const {
+Path AxisAligned::section(double cosine_of_Y, double cosine_of_Z) const {
   Path path;
   path.parameter = {-1, 1};
   path.reversals = [g = amplitude](double end) { return g.reversals(end); };
-  path.recipe = recipe("axis_aligned", Section{*this, s});
+  path.recipe = recipe("axis_aligned", Section{*this, cosine_of_Y, cosine_of_Z});
   if (!one_dimensional) {
     path.name = "axis_aligned";
     path.parameter_is_place = true;
-    path.curved = [g = amplitude, s](double xi, double t) {
+    path.curved = [g = amplitude, s = s(), cosine_of_Y, cosine_of_Z](double xi, double t) {
       const AmplitudeValue now = strain(g, t);
+      const Vector3 shape = s.cwiseProduct(Vector3(xi, cosine_of_Y, cosine_of_Z));
       PathPoint point;
-      point.F.diagonal() += now.value * Vector3(xi, -s, 0);
-      point.F_rate.diagonal() = now.rate * Vector3(xi, -s, 0);
+      point.F.diagonal() += now.value * shape;
+      point.F_rate.diagonal() = now.rate * shape;
       return point;
     };
     return path;
@@ -92,14 +102,13 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
   double period() const override { return m.amplitude.period; }
   bool is_homogeneous() const override { return false; }
   const Amplitude* amplitude() const override { return &m.amplitude; }
+  bool is_plane() const override { return m.s().z() == 0; }
   std::array<double, 2> usual_lower() const override { return {0, 0}; }
   std::array<double, 2> usual_upper() const override { return {1, 1}; }
-  bool is_symmetry_plane(std::size_t d, double at) const override {
-    return is_whole(at) || (m.one_dimensional && d == 1);
-  }
+  bool is_symmetry_plane(std::size_t d, double at) const override { return is_whole(at) || stands_still(d); }
   bool may_repeat() const override { return true; }
   std::string fault_of_period(std::size_t d, double width) const override {
-    if ((m.one_dimensional && d == 1) || is_whole(width / 2)) return {};
+    if (stands_still(d) || is_whole(width / 2)) return {};
     return "the motion repeats after 2 m, and the body is " + rounded_text(width, 6) + " m wide";
   }
 
@@ -112,16 +121,29 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
       m.amplitude.period = 1 / *speed;
       m.given_speed = true;
     }
+    if (m.one_dimensional) return;
+    Vector3 s = m.s();
+    const bool is_told = m.in_space || s != AxisAligned{}.s();
+    if (keys("factors", "s of u_i = A s_i sin(pi X_i) sin(c pi t); in the plane the third is 0 [1]", s,
+             {.derived = "[1, -1, 0]; with dimension: 3 [1, -1, 0.5]", .shown = is_told}))
+      m.factors = s;
   }
-  std::optional<MotionFault> fault(const MotionUse&) const override {
+  void set_dimension(int dimension) override { m.in_space = dimension == 3; }
+  std::optional<MotionFault> fault(const MotionUse& use) const override {
     if (m.amplitude.type != Amplitude::Type::sine)
       return MotionFault{"motion.amplitude.type", "must be sine for this motion, whose period T is 1/c"};
-    if (std::abs(m.amplitude.peak) < 1 / pi) return std::nullopt;
+    if (use.dimension == 2 && m.s().z() != 0)
+      return MotionFault{"motion.factors", "the third must be 0 in the plane, found " + number_text(m.s().z()) +
+                                               ": with dimension: 3 it may be any number"};
+    const double largest = m.s().cwiseAbs().maxCoeff();
+    if (std::abs(m.amplitude.peak) * largest < 1 / pi) return std::nullopt;
+    const std::string times = largest == 1 ? "" : "times the largest of motion.factors, " + number_text(largest) + ", ";
     return MotionFault{"motion.amplitude.peak",
-                       "must be less than 1/pi in size, for det F > 0, found " + number_text(m.amplitude.peak)};
+                       times + "must be less than 1/pi in size, for det F > 0, found " + number_text(m.amplitude.peak)};
   }
 
  private:
+  bool stands_still(std::size_t d) const { return m.s()(static_cast<int>(d)) == 0; }
   static bool is_whole(double x) {
     constexpr double whole_multiples = 1e-9;  // a number this close to a whole one is that one
     return std::abs(x - std::round(x)) <= whole_multiples;

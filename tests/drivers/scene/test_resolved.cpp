@@ -77,6 +77,18 @@ TEST(Resolved, SettingsReadBack) {
     check_round_trip(scene_from_text(scene_text("grid: {spacing: 0.1}\n"), "/a/f.yaml", {setting}), setting);
   }
   check_round_trip(scene_from_text(homogeneous_text("body: {domain: box}\n"), "/a/f.yaml"), "homogeneous");
+  const std::string space = "dimension: 3\nframe: {spin: 1, axis: [1, 2, 3], velocity: [1, 2, 3]}\n";
+  check_round_trip(scene_from_text(homogeneous_text(space), "/a/f.yaml"), "in space");
+  const std::string box =
+      "motion: {type: axis_aligned, wave_speed: 1}\nmaterial: {adapter: neo_hookean, density: 1000}\ndimension: 3\n";
+  for (const char* setting : {"time.end=1", "motion.factors=[1, -1, 0]", "motion.factors=[2, 1, -0.3]"}) {
+    check_round_trip(scene_from_text(box, "/a/f.yaml", {setting}), setting);
+  }
+}
+
+TEST(Resolved, SaysTheDimensionWhereItIsNotThePlane) {
+  EXPECT_EQ(resolved_yaml(scene_from_text(scene_text(), "f")).find("dimension"), std::string::npos);
+  EXPECT_TRUE(resolved_yaml(scene_from_text("dimension: 3\n" + scene_text(), "f")).starts_with("dimension: 3\n"));
 }
 
 TEST(Resolved, RandomNumbersReadBack) {
@@ -104,6 +116,7 @@ TEST(Resolved, HoldsEveryKeyThatApplies) {
   EXPECT_TRUE(mpm::tell(scene.effects, "remedies.small_mass", 0.1));      // of lumped mass
   EXPECT_TRUE(mpm::tell(scene.effects, "remedies.artificial_viscosity", std::vector{0.1, 1.5}));
   scene.output.each_step_from = 0.9;
+  scene.dimension = 3, scene.frame->axis = {1, 2, 3};  // told where they are not those of the plane
   const std::string text = resolved_yaml(scene);
   const Tree root = read_yaml(text, "resolved");
   for (const Key& key : scene_keys()) {

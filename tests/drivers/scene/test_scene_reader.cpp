@@ -114,9 +114,10 @@ TEST(SceneReader, EveryShippedSceneIsRead) {
 }
 
 TEST(SceneReader, RefusesUnknownKeysWithTheNearest) {
-  EXPECT_EQ(refused_extra("grdi: {spacing: 1}\n"),
-            "f.yaml:3:1: grdi: unknown key (nearest: grid); known: title, motion, frame, material, body, grid, method, "
-            "force, traction, remedies, time, output, limits, expect");
+  EXPECT_EQ(
+      refused_extra("grdi: {spacing: 1}\n"),
+      "f.yaml:3:1: grdi: unknown key (nearest: grid); known: title, dimension, motion, frame, material, body, grid, "
+      "method, force, traction, remedies, time, output, limits, expect");
   EXPECT_EQ(refused_extra("grid: {spacng: 1}\n"),
             "f.yaml:3:8: grid.spacng: unknown key (nearest: spacing); known: spacing, offset, lower, upper");
   EXPECT_TRUE(has(refused_set("motion.amplitude.pek=1"), "--set motion.amplitude.pek: unknown key (nearest: peak)"));

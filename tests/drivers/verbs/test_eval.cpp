@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <sstream>
 
 #include "drivers/format/csv.hpp"
 #include "drivers/scene/scene.hpp"
@@ -33,6 +34,16 @@ CsvTable evaluated(const ScratchFolder& scratch, const std::string& scene, const
   const CsvTable table = read_csv(bytes_of(options.out), options.out, columns);
   EXPECT_EQ(table.names, columns);
   return table;
+}
+
+/// The paper's scene as it is without particles.
+std::string without_method(const ScratchFolder& scratch, const std::string& scene) {
+  std::string text;
+  std::istringstream lines(bytes_of(configs + scene));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("method:")) text += line + "\n";
+  }
+  return scratch.write(scene, text);
 }
 
 /// The corrected (35) with any amplitude A sin(pi t/T), in Cartesian components, for the paper's ring.
@@ -162,6 +173,33 @@ TEST(Eval, WritesAllComponentsOfAMotionOutOfThePlane) {
   EXPECT_EQ(text.substr(0, text.find('\n')),
             "X,Y,Z,t,x,y,z,vx,vy,vz,ax,ay,az,F11,F12,F13,F21,F22,F23,F31,F32,F33,P11,P12,P13,P21,P22,P23,P31,P32,P33,"
             "s11,s22,s33,s12,s13,s23,bx,by,bz");
+}
+
+/// A slab of the vortex: every Z has the plane's answer, and nothing acts along Z but the stress 33.
+TEST(Eval, ASlabInSpaceIsPlaneStrain) {
+  constexpr double rounding = 1e-13;
+  const ScratchFolder scratch;
+  const CsvTable plane = evaluated(scratch, configs + "vortex_cpdi.yaml",
+                                   "X,Y,t\n0.9,0.3,0.4\n-0.2,1.1,0.7\n0.5,0.7,0.9\n1.4,0,0.3\n", {}, plane_columns);
+  std::vector<std::string> columns{"X", "Y", "Z", "t", "x", "y", "z", "vx", "vy", "vz", "ax", "ay", "az"};
+  for (const char* tensor : {"F", "P"}) {
+    for (const char* index : {"11", "12", "13", "21", "22", "23", "31", "32", "33"})
+      columns.push_back(std::string(tensor) + index);
+  }
+  columns.insert(columns.end(), {"s11", "s22", "s33", "s12", "s13", "s23", "bx", "by", "bz"});
+  const CsvTable slab = evaluated(scratch, without_method(scratch, "vortex_cpdi.yaml"),
+                                  "X,Y,Z,t\n0.9,0.3,-0.6,0.4\n-0.2,1.1,0.2,0.7\n0.5,0.7,7,0.9\n1.4,0,1e-3,0.3\n",
+                                  {"dimension=3"}, columns);
+  for (const std::string& name : columns) {
+    for (std::size_t i = 0; i < plane.rows(); ++i) {
+      const double found = (*slab.column(name))[i];
+      if (const auto* right = plane.column(name)) {
+        EXPECT_NEAR(found, (*right)[i], rounding * (1 + std::abs((*right)[i]))) << name;
+      } else {
+        EXPECT_EQ(found, name == "z" || name == "Z" ? (*slab.column("Z"))[i] : 0) << name;
+      }
+    }
+  }
 }
 
 TEST(Eval, RefusesTimesBeforeTheStart) {

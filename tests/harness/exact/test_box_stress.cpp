@@ -21,6 +21,9 @@ constexpr double of_series = 1e-7;     ///< ten times the tolerance that is aske
 constexpr double of_gradients = 1e-6;  ///< of b: the differences of the other route, and the last modes' slopes
 constexpr double box_rounding = 1e-12;
 
+/// Factors of the plane that are not the usual ones.
+const Vector3 other_factors(0.7, 1.2, 0);
+
 AxisAligned sample_box(bool one_dimensional) {
   AxisAligned motion;
   motion.amplitude = {Amplitude::Type::sine, 0.1, 0.5};
@@ -43,9 +46,8 @@ ExactStress of_point(const BoxStress& stress, const AxisAligned& motion, const V
 
 class BoxStressOf : public testing::TestWithParam<std::tuple<bool, bool>> {};
 
-TEST_P(BoxStressOf, AgreesWithHistoriesOfSinglePoints) {
-  const auto [one_dimensional, with_history] = GetParam();
-  const AxisAligned motion = sample_box(one_dimensional);
+void check_against_single_points(const AxisAligned& motion, bool with_history) {
+  const bool one_dimensional = motion.one_dimensional;
   const auto material = with_history ? zener() : elastic();
   BoxStress stress(material, motion, {.tolerance = 1e-8, .end = 0.5});
   EXPECT_EQ(stress.is_history(), with_history);
@@ -74,6 +76,18 @@ TEST_P(BoxStressOf, AgreesWithHistoriesOfSinglePoints) {
   EXPECT_GT(stress.material_calls(), 0);
 }
 
+TEST_P(BoxStressOf, AgreesWithHistoriesOfSinglePoints) {
+  const auto [one_dimensional, with_history] = GetParam();
+  check_against_single_points(sample_box(one_dimensional), with_history);
+}
+
+TEST_P(BoxStressOf, DoesSoWithOtherFactors) {
+  const auto [one_dimensional, with_history] = GetParam();
+  AxisAligned motion = sample_box(one_dimensional);
+  motion.factors = other_factors;  // the bar has none
+  check_against_single_points(motion, with_history);
+}
+
 INSTANTIATE_TEST_SUITE_P(Motions, BoxStressOf, testing::Combine(testing::Bool(), testing::Bool()), [](const auto& c) {
   return std::string(std::get<0>(c.param) ? "bar" : "box") + (std::get<1>(c.param) ? "_with_history" : "");
 });
@@ -96,8 +110,7 @@ TEST(BoxStress, HistoriesDoNotGoBack) {
   EXPECT_THROW(stress.set_time(0.1), std::logic_error);
 }
 
-TEST(BoxForce, IsThePointwiseForceAndItsMeanOverRectangles) {
-  const AxisAligned motion = sample_box(false);
+void check_means(const AxisAligned& motion) {
   BoxStress stress(elastic(), motion, {.tolerance = 1e-10, .end = 0.5});
   const double t = 0.17;
   stress.set_time(t);
@@ -123,6 +136,19 @@ TEST(BoxForce, IsThePointwiseForceAndItsMeanOverRectangles) {
       EXPECT_NEAR(b_y[p], mean.y(), box_rounding * (1 + mean.norm())) << p;
     }
   }
+}
+
+TEST(BoxForce, IsThePointwiseForceAndItsMeanOverRectangles) {
+  AxisAligned motion = sample_box(false);
+  check_means(motion);
+  motion.factors = other_factors;
+  check_means(motion);
+}
+
+TEST(BoxForce, TheSeriesRefusesWhatLeavesThePlane) {
+  AxisAligned motion = sample_box(false);
+  motion.in_space = true;
+  EXPECT_THROW(exact_box(motion, box_density, elastic(), {})->source(), std::logic_error);
 }
 
 TEST(BoxField, IsTheSeriesAtItsPoints) {

@@ -42,13 +42,15 @@ std::vector<std::pair<std::string, Motion>> chosen() {
   }
   const TwistingRing ring{sample_vortex(), 0.06};
   const AxisAligned box{{Amplitude::Type::sine, 0.2, 0.8}, false, true},
-      bar{{Amplitude::Type::sine, -0.15, 1.2}, true, true};
+      bar{{Amplitude::Type::sine, -0.15, 1.2}, true, true},
+      space{{Amplitude::Type::sine, 0.2, 0.8}, false, true, Vector3(0.7, -1.2, 0.4), true};
   return {{"vortex", sample_vortex()},
           {"homogeneous", homogeneous},
           {"rotating_stretch", stretch},
           {"table", DeformationTable("rows", times, rows, Interpolation::spline)},
           {"twisting_ring", ring},
           {"axis_aligned", box},
+          {"axis_aligned in space", space},
           {"bar_1d", bar},
           {"rigid", Rigid{{0.4, -0.3, 0.2}, 1.7, {1, 2, 3}, 1}}};
 }
@@ -57,7 +59,7 @@ std::vector<std::pair<std::string, Motion>> chosen() {
 class OtherValues final : public Keys {
  public:
   MotionUse use() const {
-    return {.gives = [given = given_](const std::string& key) { return given.contains(key); }};
+    return {.gives = [given = given_](const std::string& key) { return given.contains(key); }, .dimension = 3};
   }
 
  protected:
@@ -151,7 +153,7 @@ TEST(Motion, BaselineStretchesAsTheMotionDoes) {
       Path path = motion->baseline();
       if (const auto* box = motion.as<AxisAligned>()) {
         parameter = std::cos(M_PI * X.x());
-        path = box->section(std::cos(M_PI * X.y()));
+        path = box->section(std::cos(M_PI * X.y()), std::cos(M_PI * X.z()));
       }
       const Tensor q = ring_of(motion) ? rotation_about_z(std::atan2(X.y(), X.x())) : Tensor(Tensor::Identity());
       const Tensor F = motion->at(X, t).F * q, B = path.deformation_gradient(parameter, t);
@@ -167,7 +169,7 @@ TEST(Motion, KnowsWhatItHas) {
   for (const auto& [who, motion] : chosen()) {
     EXPECT_EQ(ring_of(motion).has_value(), who == "vortex" || who == "twisting_ring") << who;
     EXPECT_EQ(motion->amplitude() != nullptr,
-              who == "vortex" || who == "twisting_ring" || who == "axis_aligned" || who == "bar_1d")
+              who == "vortex" || who == "twisting_ring" || who.starts_with("axis_aligned") || who == "bar_1d")
         << who;
   }
   for (const auto& [who, motion] : motions()) {

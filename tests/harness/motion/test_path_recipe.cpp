@@ -61,6 +61,8 @@ TEST(PathRecipe, MakesTheSamePathOfEveryMotion) {
     expect_same(box.baseline());
     expect_same(box.section(0.37));
   }
+  const AxisAligned space{{Amplitude::Type::sine, 0.05, 0.8}, false, false, Vector3(0.7, -1.2, 0.4), true};
+  expect_same(space.section(0.37, -0.6));
 }
 
 TEST(PathRecipe, MakesTheSamePathOfATable) {
