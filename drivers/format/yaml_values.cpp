@@ -41,6 +41,8 @@ std::string key_path(const std::string& prefix, const std::string& key) {
   return prefix.empty() ? key : prefix + "." + key;
 }
 
+std::string item_path(const std::string& list, std::size_t index) { return list + "[" + std::to_string(index) + "]"; }
+
 double number_value(const Tree& tree, const std::string& key, const Range& range) {
   const bool plain = tree.kind == Tree::Kind::scalar && !tree.quoted;
   const std::string found = ", found " + described(tree);
@@ -96,7 +98,7 @@ std::vector<double> numbers_value(const Tree& tree, const std::string& key, std:
   }
   std::vector<double> values;
   for (std::size_t i = 0; i < expected; ++i) {
-    const std::string item = key + "[" + std::to_string(i) + "]";
+    const std::string item = item_path(key, i);
     if (rows == 1) {
       values.push_back(number_value(tree.items[i], item, range));
     } else {

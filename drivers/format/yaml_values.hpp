@@ -42,6 +42,8 @@ std::string described(const Tree& tree);
 
 /// prefix.key, or key at the top.
 std::string key_path(const std::string& prefix, const std::string& key);
+/// "body.per_cell[1]": value number `index`, from 0, of the list at the path.
+std::string item_path(const std::string& list, std::size_t index);
 /// Of "motion.amplitude.peak" "motion.amplitude"; empty at the top.
 std::string parent_of(const std::string& path);
 /// And "peak".

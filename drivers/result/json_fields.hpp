@@ -43,6 +43,11 @@ class JsonFields {
   static Json of(const std::variant<Ts...>& value) {
     return std::visit([](const auto& held) { return of(held); }, value);
   }
+  static Json of(const KeyRecord& record) {
+    Json out = Json::object();
+    for (const auto& [key, value] : record.values) out[key] = of(value);
+    return out;
+  }
   template <class T>
   static Json of(const std::map<std::string, T>& values) {
     Json out = Json::object();

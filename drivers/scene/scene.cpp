@@ -12,8 +12,8 @@ namespace assay::drivers {
 
 Location Scene::place(const std::string& key) const {
   if (const auto found = places.find(key); found != places.end()) return found->second;
-  const std::size_t dot = key.rfind('.');
-  return dot == std::string::npos ? Location{file} : place(key.substr(0, dot));
+  const std::size_t end = key.find_last_of(".[");
+  return end == std::string::npos ? Location{file} : place(key.substr(0, end));
 }
 
 namespace {

@@ -218,7 +218,7 @@ struct Scene {
   }
 
   std::map<std::string, Location> places;  ///< where the keys that were given stand, by dotted path
-  /// Where a key stands; not given: its section, else the file.
+  /// Where a key stands; not given: its section, else the file. Of an item in a list "motion.vortices[1].radius".
   Location place(const std::string& key) const;
 };
 

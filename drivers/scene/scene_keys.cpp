@@ -92,6 +92,18 @@ Key key_row(const std::string& path, std::string_view doc, KeyType type, const K
           .set = std::move(set)};
 }
 
+std::vector<Key> item_rows(const KeyInfo& list) {
+  std::vector<Key> rows;
+  if (!list.item) return rows;
+  EachKey each([&](const KeyInfo& info, KeyType type, const Value& value) -> EachKey::Answer {
+    const auto get = [value = info.shown ? value : Value()](const Scene&) { return value; };
+    rows.push_back(key_row(std::string(info.name), info.doc, type, info, get, {}));
+    return std::nullopt;
+  });
+  list.item(each);
+  return rows;
+}
+
 const std::vector<Section>& scene_sections() {
   static const std::vector<Section> sections = all_sections();
   return sections;
@@ -134,6 +146,8 @@ std::vector<std::string> names_under(const std::string& section, const Scene* sc
   }
   return names;
 }
+
+std::vector<std::string> item_names(const Key& list) { return mapped(list.items, &Key::path); }
 
 std::string domain_name(Body::Domain domain) { return word_of(domain); }
 

@@ -30,6 +30,7 @@ struct Key {
   bool all_motions_in_space = false;          ///< where the dimension is 3 it exists for all
   std::function<Value(const Scene&)> get;     ///< absent: nothing to be written
   std::function<void(Scene&, const Value&)> set;
+  std::vector<Key> items = {};  ///< of a list: the keys of an item. path: the name alone; get: the default; set: none
 };
 
 struct Section {
@@ -48,6 +49,9 @@ const std::vector<Key>& scene_keys();
 /// Names that may stand directly under a section ("" is the top), for the scene's motion and domain or for all.
 std::vector<std::string> names_under(const std::string& section, const Scene* scene = nullptr);
 
+/// Names that an item of the list may have; none where the key is no list.
+std::vector<std::string> item_names(const Key& list);
+
 /// Whether the key exists for this scene's motion, on some domain.
 bool of_motion(const Key& key, const Scene& scene);
 /// Whether the key exists for this scene's motion and domain.
@@ -58,25 +62,13 @@ bool applies(const Section& section, const Scene& scene);
 std::string motion_type(const Scene& scene);
 std::string domain_name(Body::Domain domain);
 
-/// A visitor that asks a function about each key. The function may answer with a value, which the key then takes.
-class EachKey final : public Keys {
- public:
-  using Answer = std::optional<Value>;
-  using Show = std::function<Answer(const KeyInfo&, KeyType, const Value&)>;
-  explicit EachKey(Show show) : show_(std::move(show)) {}
-
- protected:
-  Answer meet(const KeyInfo& key, KeyType type, const Value& value) override { return show_(key, type, value); }
-
- private:
-  Show show_;
-};
-
 using Get = std::function<Value(const Scene&)>;
 using Set = std::function<void(Scene&, const Value&)>;
 
 /// Makes a row. `get` and `set` reach the value in a scene.
 Key key_row(const std::string& path, std::string_view doc, KeyType type, const KeyRules& rules, Get get, Set set);
+/// The rows of an item's keys; none where the key is no list.
+std::vector<Key> item_rows(const KeyInfo& list);
 
 // A part of a scene shows its keys.
 void show(auto& part, Keys& visitor) { part.keys(visitor); }
@@ -109,6 +101,7 @@ std::vector<Key> keys_of(const std::string& section, auto sample, auto part) {
       show(std::invoke(part, scene), give);
     };
     keys.push_back(key_row(key_path(section, name), info.doc, type, info, get, set));
+    keys.back().items = item_rows(info);
     return std::nullopt;
   });
   show(sample, each);

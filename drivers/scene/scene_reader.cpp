@@ -8,6 +8,7 @@
 #include "drivers/format/yaml_lines.hpp"
 #include "drivers/format/yaml_reader.hpp"
 #include "drivers/scene/expect.hpp"
+#include "drivers/scene/key_values.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/system/environment.hpp"
@@ -32,35 +33,6 @@ const Tree* value_at(const Tree& root, const std::string& path) {
   return at;
 }
 
-Value read_value(const Key& key, const Tree& tree) {
-  switch (key.type) {
-    case KeyType::number:
-      return number_value(tree, key.path, key.range);
-    case KeyType::automatic:
-      if (tree.kind == Tree::Kind::scalar && tree.text == "auto") return {};
-      if (tree.kind == Tree::Kind::scalar && !parse_number(tree.text)) {
-        throw InputError(tree.where, key.path,
-                         "must be a number or auto, found " + described(tree) + number_remedy(tree));
-      }
-      return number_value(tree, key.path, key.range);
-    case KeyType::boolean:
-      return boolean_value(tree, key.path);
-    case KeyType::text:
-      return text_value(tree, key.path);
-    case KeyType::choice:
-      return choice_value(tree, key.path, key.choices);
-    case KeyType::pair:
-      return numbers_value(tree, key.path, 1, 2, key.range);
-    case KeyType::vector:
-      return numbers_value(tree, key.path, 1, 3, key.range);
-    case KeyType::pair_or_vector:
-      return numbers_value(tree, key.path, 1, tree.items.size() == 3 ? 3 : 2, key.range);
-    case KeyType::matrix:
-      return numbers_value(tree, key.path, 3, 3, key.range);
-  }
-  return {};
-}
-
 /// Where the key itself stands; of the whole its beginning.
 Location key_place(const Tree& root, const std::string& path) {
   const Tree* map = path.find('.') == path.npos ? &root : value_at(root, parent_of(path));
@@ -71,44 +43,16 @@ Location key_place(const Tree& root, const std::string& path) {
   return root.where;
 }
 
-/// Where a key belongs that this section has not; empty where nothing is known.
-std::string place_of(const Tree::Entry& entry, const std::string& section, const std::vector<std::string>& here) {
-  const std::vector<std::string> top = names_under("");
-  if (!section.empty() && std::find(top.begin(), top.end(), entry.key) != top.end())
-    return "unknown key here: it belongs to the scene itself, beside " + section.substr(0, section.find('.'));
-  for (const Key& key : scene_keys()) {
-    const bool common = entry.key == "type" || entry.key == "final" || entry.key == "path";
-    if (common || last_part(key.path) != entry.key) continue;
-    return "unknown key here: it belongs to " + parent_of(key.path);
-  }
-  const bool number = entry.value.kind == Tree::Kind::scalar && parse_number(entry.value.text);
-  const bool parameter = section == "material" && number && nearest(entry.key, here).empty();
-  return parameter ? "unknown key: parameters of the model belong to material.parameters" : "";
-}
-
-/// A key that stands in the wrong section.
-void refuse_misplaced_keys(const Tree& map, const std::string& section) {
-  const std::vector<std::string> here = names_under(section);
-  for (const Tree::Entry& entry : map.entries) {
-    if (std::find(here.begin(), here.end(), entry.key) != here.end()) continue;
-    const std::string what = place_of(entry, section, here);
-    if (what.empty()) continue;
-    throw InputError(entry.key_where, key_path(section, shown(entry.key, 80)), what, joined(here));
-  }
-}
-
 /// Every section is a map, and every key is one that some scene may have.
 void check_names(const Tree& root) {
   require_map(root, "", joined(names_under("")));
-  refuse_misplaced_keys(root, "");
-  refuse_unknown_keys(root, "", names_under(""));
+  refuse_other_keys(root, "", names_under(""));
   for (const Section& section : scene_sections()) {
     const Tree* map = value_at(root, section.path);
     if (!map) continue;
-    require_map(*map, section.path, joined(names_under(section.path)));
-    if (section.free_keys) continue;
-    refuse_misplaced_keys(*map, section.path);
-    refuse_unknown_keys(*map, section.path, names_under(section.path));
+    const std::vector<std::string> known = names_under(section.path);
+    require_map(*map, section.path, joined(known));
+    if (!section.free_keys) refuse_other_keys(*map, section.path, known);
   }
 }
 
@@ -122,9 +66,8 @@ void read_key(const Key& key, const Tree& root, Scene& scene) {
                      joined(names_under(parent, &scene)));
   }
   if (tree) {
-    const Value value = read_value(key, *tree);
-    if (value.index() != 0) key.set(scene, value);
-    scene.places[key.path] = tree->where;
+    key.set(scene, read_value(key, *tree));
+    scene.places.merge(places_of_value(key, *tree));
   } else if (key.required && applies(key, scene)) {
     const Tree* section = parent.empty() ? &root : value_at(root, parent);
     if (section) throw InputError(section->where, key.path, "required and not given");
@@ -226,9 +169,9 @@ Scene scene_of(const Tree& root, const std::string& file, const std::string& sha
   derive(root, scene);
   if (const Tree* expect = value_at(root, "expect")) scene.expect = read_expectations(*expect);
   check_scene(scene, [&](const std::string& path) {
-    const Tree* tree = value_at(root, path);
-    if (!tree) tree = value_at(root, parent_of(path));
-    return tree ? tree->where : root.where;
+    auto found = scene.places.find(path);
+    if (found == scene.places.end()) found = scene.places.find(parent_of(path));
+    return found == scene.places.end() ? root.where : found->second;
   });
   return scene;
 }

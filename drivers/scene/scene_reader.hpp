@@ -46,12 +46,16 @@ void check_scene(const Scene& scene, const KeyPlace& where);
 /// and det F > 0 at all rows and at 32 times between two.
 DeformationTable read_deformation_table(const std::string& file, Interpolation interpolation);
 
-/// A value for the place of a scene at a dotted path.
+/// A value for the place of a scene at a path: `grid.spacing`, `motion.vortices[0].radius`.
 struct Setting {
   std::string path;
   Tree value;
   Location where;  ///< of the path; the option where it came from the command line
 };
+
+/// A path with dots alone: `motion.vortices[0].radius` is `motion.vortices.0.radius`. Names that are the user's or of
+/// the result stay as they are.
+std::string dotted(const std::string& path);
 
 /// Reads "key.path=YAML value". Throws InputError.
 Setting parse_setting(const std::string& text);

@@ -63,6 +63,16 @@ Json default_of(const Key& key) {
   return nullptr;
 }
 
+/// A map with these members and no others, besides what is merged into it.
+Json map_schema(const Json& properties, const Json& required) {
+  Json out{{"type", "object"},
+           {"additionalProperties", false},
+           {"properties", properties},
+           {"patternProperties", {{merge_pattern, Json::object()}}}};
+  if (!required.empty()) out["required"] = required;
+  return out;
+}
+
 Json key_schema(const Key& key) {
   Json out = type_schema(key);
   std::string doc = key.doc;
@@ -81,6 +91,15 @@ Json free_section(const Section& section) {
     out["additionalProperties"] = {{"type", "number"}};
   }
   return out;
+}
+
+Json item_schema(const Key& list) {
+  Json properties = Json::object(), required = Json::array();
+  for (const Key& key : list.items) {
+    properties[key.path] = key_schema(key);
+    if (key.required) required.push_back(key.path);
+  }
+  return map_schema(properties, required);
 }
 
 /// The section whose alternatives are the motions; in others every key is listed that some motion knows.
@@ -103,11 +122,8 @@ Json object_schema(const std::string& path, const Scene& scene) {
     part["description"] = section.doc;
     if (section.required) required.push_back(name);
   }
-  Json patterns{{merge_pattern, Json::object()}};
-  if (path.empty()) patterns[anchors_pattern] = Json::object();
-  Json out{
-      {"type", "object"}, {"additionalProperties", false}, {"properties", properties}, {"patternProperties", patterns}};
-  if (!required.empty()) out["required"] = required;
+  Json out = map_schema(properties, required);
+  if (path.empty()) out["patternProperties"][anchors_pattern] = Json::object();
   return out;
 }
 
@@ -137,6 +153,8 @@ nlohmann::ordered_json type_schema(const Key& key) {
       return list_schema(number_schema(key.range), 2, 3);
     case KeyType::matrix:
       return list_schema(list_schema(number_schema(key.range), 3), 3);
+    case KeyType::list:
+      return {{"type", "array"}, {"items", item_schema(key)}, {"minItems", 1}};
   }
   return {};
 }

@@ -7,6 +7,7 @@
 #include "drivers/format/yaml_lines.hpp"
 #include "drivers/format/yaml_values.hpp"
 #include "drivers/scene/expect.hpp"
+#include "drivers/scene/scene_keys.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/words.hpp"
 
@@ -18,7 +19,7 @@ const Location from_option{set_option, 0, 0};
 
 std::vector<std::string> steps_of(const std::string& path) {
   const std::string section = "expect.";
-  if (!path.starts_with(section)) return split(path, '.');
+  if (!path.starts_with(section)) return split(dotted(path), '.');
   const std::string key = path.substr(section.size()), last = last_part(key);
   if (last != key && is_one_of(last, words_of<Expectation::Operator>())) return {"expect", parent_of(key), last};
   return {"expect", key};
@@ -29,7 +30,7 @@ bool has_empty_step(const std::string& path) { return is_one_of("", steps_of(pat
 /// "grid:spacing", "grid/spacing", "grid[spacing]": as YAML, folders and other programs join keys.
 void refuse_other_joints(const std::string& path) {
   constexpr const char* joints = ":/[]\\";
-  const std::size_t at = path.find_first_of(joints);
+  const std::size_t at = dotted(path).find_first_of(joints);
   if (path.starts_with("expect.") || at == path.npos || at == 0) return;
   std::string meant;
   for (const char c : path) {
@@ -74,6 +75,22 @@ Tree& item_of(Tree& list, const std::string& step, const Setting& setting, const
 bool is_index(const std::string& step) {
   const auto index = parse_integer(step);
   return index && *index >= 0 && std::to_string(*index) == step;
+}
+
+std::string dotted(const std::string& path) {
+  const auto is_free = [&](const Section& section) {
+    return section.free_keys && path.starts_with(section.path + ".");
+  };
+  if (std::ranges::any_of(scene_sections(), is_free)) return path;
+  std::string out;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::size_t end = path[i] == '[' ? path.find(']', i) : path.npos;
+    const bool ends_step = end != path.npos && (end + 1 == path.size() || path[end + 1] == '.' || path[end + 1] == '[');
+    const std::string index = ends_step ? path.substr(i + 1, end - i - 1) : "";
+    out += is_index(index) ? "." + index : std::string(1, path[i]);
+    if (is_index(index)) i = end;
+  }
+  return out;
 }
 
 Setting parse_setting(const std::string& text) {

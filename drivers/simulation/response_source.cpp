@@ -10,6 +10,7 @@
 #include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
+#include "harness/motion/kinds/vortex3d.hpp"
 
 namespace assay::drivers {
 
@@ -62,6 +63,8 @@ ExactSolutionPtr solution_of_places(const Scene& scene, const std::shared_ptr<co
                                     const Path& path, double end, const ResponseMaking& how) {
   const double density = scene.material.density;
   if (scene.motion->polar()) return exact_polar(scene.motion, density, response_of(scene, material, path, end, how));
+  if (const auto* vortex = scene.motion.as<Vortex3d>())
+    return exact_meridian(*vortex, density, response_of(scene, material, path, end, how));
   const auto* box = scene.motion.as<AxisAligned>();
   if (!box) return nullptr;
   return exact_box(*box, density, material,

@@ -60,13 +60,13 @@ inline void period_key(Keys& keys, double& period) {
 /// Of m = 1 a body's faces would need tractions.
 inline constexpr Range profile_powers{.lower = 2, .upper = 64, .whole = true};
 
-inline void profile_power_key(Keys& keys, int& power) {
+inline void profile_power_key(Keys& keys, int& power, bool shown = true) {
   keys("profile_power", "m of the profile h = (1 - s^2)^m; m = 1 is excluded: the body's faces would need tractions",
-       power, {.range = profile_powers, .derived = "2 in the plane, 4 of vortex3d"});
+       power, {.range = profile_powers, .derived = "2 in the plane, 4 of vortex3d", .shown = shown});
 }
 
-inline void axis_key(Keys& keys, Vector3& axis) {
-  keys("axis", "axis of the rotation; need not be a unit vector", axis);
+inline void axis_key(Keys& keys, Vector3& axis, bool shown = true) {
+  keys("axis", "axis of the rotation; need not be a unit vector", axis, {.shown = shown});
 }
 
 /// In what a motion is used: what its own check depends on.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,12 +22,27 @@
 
 namespace assay {
 
-/// monostate: absent.
-using KeyValue = std::variant<std::monostate, bool, double, std::string, std::vector<double>>;
+struct KeyRecord;
+/// monostate: absent. Records are the parts in a list.
+using KeyValue = std::variant<std::monostate, bool, double, std::string, std::vector<double>, std::vector<KeyRecord>>;
 
-/// automatic: a number, or the word "auto", which is what stands where nothing is given. pair_or_vector: two numbers,
-/// or three in space.
-enum class KeyType { number, automatic, boolean, text, choice, pair, vector, pair_or_vector, matrix };
+/// The keys of a part that are there, in their order, with their values.
+struct KeyRecord {
+  std::vector<std::pair<std::string, KeyValue>> values;
+
+  /// Null where the key is not there.
+  const KeyValue* find(std::string_view name) const {
+    const auto found = std::find_if(values.begin(), values.end(), [&](const auto& each) { return each.first == name; });
+    return found == values.end() ? nullptr : &found->second;
+  }
+  friend bool operator==(const KeyRecord& a, const KeyRecord& b) { return a.values == b.values; }
+};
+
+/// automatic: a number, or the word "auto", which is what stands where nothing is given; pair_or_vector: two numbers,
+/// or three in space; list: of parts that have keys.
+enum class KeyType { number, automatic, boolean, text, choice, pair, vector, pair_or_vector, matrix, list };
+
+class Keys;
 
 /// What a struct says about a key besides name, text and value.
 struct KeyRules {
@@ -44,6 +60,8 @@ struct KeyRules {
 struct KeyInfo : KeyRules {
   std::string_view name;  ///< under its section: "amplitude.peak"
   std::string_view doc;   ///< one line, with the unit
+  /// Of a list: shows the keys of a part as it is where nothing is given.
+  void (*item)(Keys&) = nullptr;
 };
 
 /// Whether a member may be absent, and the type that it has where it is there.
@@ -56,9 +74,16 @@ struct Optional<std::optional<Member>> : std::true_type {
   using Kept = Member;
 };
 
+/// Whether a member is a list of parts: structs that show keys of their own, none of them a list.
+template <class Member>
+inline constexpr bool is_list = false;
+template <class Part>
+inline constexpr bool is_list<std::vector<Part>> = std::is_class_v<Part>;
+
 template <class Member>
 constexpr KeyType type_of() {
   using Kept = typename Optional<Member>::Kept;
+  if constexpr (is_list<Kept>) return KeyType::list;
   if constexpr (std::is_same_v<Kept, bool>) return KeyType::boolean;
   if constexpr (std::is_same_v<Kept, std::string>) return KeyType::text;
   if constexpr (std::is_enum_v<Kept>) return KeyType::choice;
@@ -70,12 +95,22 @@ constexpr KeyType type_of() {
   return KeyType::number;
 }
 
+template <class Part>
+KeyRecord record_of(Part part);
+template <class Part>
+Part part_of(const KeyRecord& record);
+
+/// A list without parts is absent.
 template <class Member>
 KeyValue value_of(const Member& member) {
   if constexpr (Optional<Member>::value) {
     return member ? value_of(*member) : KeyValue();
   } else if constexpr (std::is_enum_v<Member>) {
     return names_of(member)[static_cast<std::size_t>(member)];
+  } else if constexpr (is_list<Member>) {
+    std::vector<KeyRecord> records;
+    for (const auto& part : member) records.push_back(record_of(part));
+    return records.empty() ? KeyValue() : KeyValue(std::move(records));
   } else if constexpr (std::is_same_v<Member, Tensor>) {
     const auto nine = nine_of(member);
     return std::vector<double>(nine.begin(), nine.end());
@@ -92,10 +127,15 @@ KeyValue value_of(const Member& member) {
 template <class Member>
 void give(Member& member, const KeyValue& value) {
   if constexpr (Optional<Member>::value) {
-    give(member.emplace(), value);
+    member.reset();
+    if (value.index() != 0) give(member.emplace(), value);
   } else if constexpr (std::is_enum_v<Member>) {
     const auto names = names_of(member);
     member = static_cast<Member>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
+  } else if constexpr (is_list<Member>) {
+    member.clear();
+    for (const KeyRecord& record : std::get<std::vector<KeyRecord>>(value))
+      member.push_back(part_of<typename Member::value_type>(record));
   } else if constexpr (std::is_same_v<Member, Tensor>) {
     member = tensor_of(std::get<std::vector<double>>(value).data());
   } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
@@ -122,10 +162,12 @@ class Keys {
       static constexpr auto names = names_of(Kept{});
       if (key.choices.empty()) key.choices = names;
     }
+    if constexpr (is_list<Kept>) key.item = [](Keys& keys) { typename Kept::value_type().keys(keys); };
     KeyValue value = value_of(member);
-    if (key.automatic && value.index() == 0) value = "auto";
+    const KeyValue word("auto");
+    if (key.automatic && value.index() == 0) value = word;
     const auto answer = meet(key, key.automatic ? KeyType::automatic : type_of<Member>(), value);
-    if (answer) give(member, *answer);
+    if (answer) give(member, key.automatic && *answer == word ? KeyValue() : *answer);
     return answer.has_value();
   }
 
@@ -133,5 +175,42 @@ class Keys {
   /// Returns the value that the key is to take; none if it keeps its own.
   virtual std::optional<KeyValue> meet(const KeyInfo& key, KeyType type, const KeyValue& value) = 0;
 };
+
+/// A visitor that asks a function about each key. The function may answer with a value, which the key then takes.
+class EachKey final : public Keys {
+ public:
+  using Answer = std::optional<KeyValue>;
+  using Show = std::function<Answer(const KeyInfo&, KeyType, const KeyValue&)>;
+  explicit EachKey(Show show) : show_(std::move(show)) {}
+
+ protected:
+  Answer meet(const KeyInfo& key, KeyType type, const KeyValue& value) override { return show_(key, type, value); }
+
+ private:
+  Show show_;
+};
+
+template <class Part>
+KeyRecord record_of(Part part) {
+  KeyRecord record;
+  EachKey look([&](const KeyInfo& key, KeyType, const KeyValue& value) -> EachKey::Answer {
+    if (key.shown && value.index() != 0) record.values.emplace_back(key.name, value);
+    return std::nullopt;
+  });
+  part.keys(look);
+  return record;
+}
+
+/// What the record does not have stays as it is in a new part.
+template <class Part>
+Part part_of(const KeyRecord& record) {
+  Part part;
+  EachKey give([&](const KeyInfo& key, KeyType, const KeyValue&) {
+    const KeyValue* given = record.find(key.name);
+    return given ? EachKey::Answer(*given) : std::nullopt;
+  });
+  part.keys(give);
+  return part;
+}
 
 }  // namespace assay

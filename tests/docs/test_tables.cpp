@@ -52,6 +52,7 @@ std::string type(const Json& key) {
   const std::string name = key["type"];
   if (name != "array") return name + bounds(key);
   const Json& items = key["items"];
+  if (items["type"] == "object") return "list of maps";
   if (items["type"] == "array") return "3 rows of 3 numbers";
   const int fewest = key["minItems"], most = key["maxItems"];
   const std::string count = std::to_string(fewest) + (most > fewest ? " or " + std::to_string(most) : "");
@@ -64,7 +65,7 @@ std::string default_text(const Json& key, bool required) {
   const Json& value = key["default"];
   if (value.is_number()) return number(value);
   if (value.is_string()) return value.get<std::string>();
-  if (!value.is_array()) return value.dump();
+  if (!value.is_array() || (!value.empty() && value[0].is_object())) return value.dump();
   std::string list;
   for (const Json& item : value) list += (list.empty() ? "" : ", ") + number(item);
   return "[" + list + "]";
@@ -107,6 +108,7 @@ void collect(const Json& object, const std::string& path, Rows& rows) {
       rows.cells.push_back({"map of numbers", "", key.value("description", "")});
     } else {
       rows.add(inner, key, is_required);
+      if (key.contains("items")) collect(key["items"], inner + "[]", rows);  // of an item
     }
   }
 }

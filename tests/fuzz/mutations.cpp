@@ -101,6 +101,18 @@ Loose value_for(const drivers::Key& key, Dice& dice) {
       for (std::size_t row = 0; row < 3; ++row) rows.items.push_back(numbers(3, key.range, dice));
       return rows;
     }
+    case list: {
+      Loose items = numbers(0, key.range, dice);
+      for (std::size_t k = 0; k <= dice.below(3); ++k) {
+        items.items.emplace_back();
+        items.items.back().kind = Loose::Kind::map;
+        for (const drivers::Key& inner : key.items) {
+          if (inner.required || dice.one_in(2))
+            items.items.back().entries.push_back({inner.path, value_for(inner, dice)});
+        }
+      }
+      return items;
+    }
     case number:
     case automatic:
       break;

@@ -22,15 +22,23 @@ bool is_scene_path(const std::string& path) {
   if (std::ranges::any_of(keys, [&](const Key& key) { return key.path == path; })) return true;
   const std::size_t dot = path.rfind('.');  // a value of a list
   if (dot != path.npos && is_index(path.substr(dot + 1))) return is_scene_path(path.substr(0, dot));
+  const std::string item = parent_of(path), list = parent_of(item);
+  if (is_index(last_part(item)) && std::ranges::any_of(keys, [&](const Key& key) {
+        return key.path == list && is_one_of(last_part(path), item_names(key));
+      }))
+    return true;
   return std::ranges::any_of(scene_sections(), [&](const Section& section) {
     return path == section.path || (section.free_keys && path.starts_with(section.path + "."));
   });
 }
 
 void check_path(const std::string& path, const Location& where, const std::string& key) {
-  if (is_scene_path(path)) return;
+  if (is_scene_path(dotted(path))) return;
   std::vector<std::string> known{threads_key, scene_key};
-  for (const Key& each : scene_keys()) known.push_back(each.path);
+  for (const Key& each : scene_keys()) {
+    known.push_back(each.path);
+    for (const std::string& name : item_names(each)) known.push_back(key_path(item_path(each.path, 0), name));
+  }
   throw InputError(where, key, unknown("key of a scene '" + one_line(path, 80) + "'", path, known));
 }
 
@@ -106,11 +114,12 @@ void check_level(const StudyAxis& axis, const std::string& value, const Location
   throw InputError(where, key, unknown("value '" + one_line(value, 80) + "'", value, known), joined(known));
 }
 
+/// With dots alone, so that two axes that set one value are seen.
 std::set<std::string> keys_of(const StudyAxis& axis) {
-  if (axis.is_key) return {axis.name};
+  if (axis.is_key) return {dotted(axis.name)};
   std::set<std::string> keys;
   for (const Level& level : axis.levels) {
-    for (const Setting& setting : level.settings) keys.insert(setting.path);
+    for (const Setting& setting : level.settings) keys.insert(dotted(setting.path));
   }
   return keys;
 }
@@ -118,10 +127,11 @@ std::set<std::string> keys_of(const StudyAxis& axis) {
 /// Whether a level of the axis sets the path: by itself, or in the map of one above it.
 bool gives(const StudyAxis& axis, const std::string& path) {
   const auto sets = [&](const Setting& setting) {
-    if (setting.path == path) return true;
-    if (!path.starts_with(setting.path + ".")) return false;
+    const std::string own = dotted(setting.path);
+    if (own == path) return true;
+    if (!path.starts_with(own + ".")) return false;
     const Tree* at = &setting.value;
-    std::string rest = path.substr(setting.path.size() + 1) + ".";
+    std::string rest = path.substr(own.size() + 1) + ".";
     for (std::size_t dot; at && (dot = rest.find('.')) != rest.npos; rest.erase(0, dot + 1)) {
       if (at->kind == Tree::Kind::sequence) return true;  // all of the list's values
       at = at->find(rest.substr(0, dot));
@@ -184,8 +194,10 @@ std::vector<Setting> read_settings(const Tree& map, const std::string& key) {
   std::vector<Setting> settings;
   for (const Tree::Entry& entry : map.entries) {
     check_path(entry.key, entry.key_where, key_path(key, entry.key));
+    const std::string path = dotted(entry.key) + ".";
     for (const Setting& before : settings) {
-      if (entry.key.starts_with(before.path + ".") || before.path.starts_with(entry.key + "."))
+      const std::string other = dotted(before.path) + ".";
+      if (path.starts_with(other) || other.starts_with(path))
         throw InputError(entry.key_where, key_path(key, entry.key), "stands beside '" + before.path + "'");
     }
     settings.push_back({entry.key, entry.value, entry.key_where});
@@ -205,7 +217,7 @@ void read_list(const Tree& list, Study& study) {
   if (list.kind != Tree::Kind::sequence || list.items.empty())
     throw InputError(list.where, "cases", "must be a list of maps of axes to values");
   for (std::size_t i = 0; i < list.items.size(); ++i) {
-    const std::string path = "cases[" + std::to_string(i) + "]";
+    const std::string path = item_path("cases", i);
     require_map(list.items[i], path, joined(names_in(study.axes)));
     std::vector<std::pair<std::string, Tree>> values;
     for (const Tree::Entry& entry : list.items[i].entries) {

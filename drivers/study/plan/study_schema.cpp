@@ -39,23 +39,31 @@ Json map_of(const Json& values) {
   return {{"type", "object"}, {"additionalProperties", values}, {"properties", {{merge_name, Json::object()}}}};
 }
 
+/// A pattern that matches the text itself.
+std::string literal(std::string text) {
+  for (std::size_t dot = 0; (dot = text.find('.', dot)) != text.npos; dot += 2) text.insert(dot, "\\");
+  return text;
+}
+
 /// Dotted keys of a scene with their values; of a key that several motions know, each of their values.
 Json settings() {
   Json properties{{threads_key, {{"type", "integer"}, {"minimum", 1}}}, {scene_key, text()}};
+  Json patterns{{merge_pattern, Json::object()}};
   for (const Key& key : scene_keys()) {
     Json one = type_schema(key);
     Json& known = properties[key.path];
     if (known.is_null()) known = Json{{"description", key.doc}, {"anyOf", Json::array()}};
+    if (key.type == KeyType::list) {
+      const std::string item = "^" + literal(key.path) + R"((\[[0-9]+\]|\.[0-9]+))";
+      patterns[item + "$"] = one["items"];
+      for (const Key& inner : key.items) patterns[item + R"(\.)" + literal(inner.path) + "$"] = type_schema(inner);
+    }
     known["anyOf"].push_back(std::move(one));
   }
-  Json patterns{{merge_pattern, Json::object()}};
   for (const Section& section : scene_sections()) {
     if (section.path.empty()) continue;
     properties[section.path] = {{"description", section.doc}, {"type", "object"}};
-    if (!section.free_keys) continue;
-    std::string pattern = "^" + section.path + ".";
-    for (std::size_t dot = 0; (dot = pattern.find('.', dot)) != pattern.npos; dot += 2) pattern.insert(dot, "\\");
-    patterns[pattern] = scalar();
+    if (section.free_keys) patterns["^" + literal(section.path + ".")] = scalar();
   }
   Json out = object(properties);
   out["patternProperties"] = patterns;

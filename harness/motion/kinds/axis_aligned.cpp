@@ -117,10 +117,10 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
     std::optional<double> speed = m.given_speed ? std::optional(m.wave_speed()) : std::nullopt;
     if (keys("wave_speed", "c, which sets T = 1/c [m/s]; auto: c = sqrt(E/rho0) with the material's parameter E", speed,
              {.range = {.lower = AxisAligned::least_wave_speed, .upper = AxisAligned::most_wave_speed},
-              .automatic = true})) {
+              .automatic = true}) &&
+        speed)
       m.amplitude.period = 1 / *speed;
-      m.given_speed = true;
-    }
+    m.given_speed = speed.has_value();
     if (m.one_dimensional) return;
     Vector3 s = m.s();
     const bool is_told = m.in_space || s != AxisAligned{}.s();

@@ -97,6 +97,13 @@ std::optional<MeridianProfile> Revolution::at(double R, double Z) const {
   return p;
 }
 
+double Revolution::depth(const Vector3& X) const {
+  const Vector3 n = unit_along(axis), from = X - center;
+  const double Z = from.dot(n), R = (from - Z * n).norm();
+  if (profile == Profile::drum) return std::min(rest_of(R, radius), rest_of(std::abs(Z), height.value_or(radius)));
+  return rest_of(std::hypot(R - (profile == Profile::torus ? ring_radius.value_or(0) : 0), Z), radius);
+}
+
 std::array<double, 2> Revolution::reach() const {
   const bool is_torus = profile == Profile::torus;
   return {radius + (is_torus ? ring_radius.value_or(0) : 0),
@@ -170,6 +177,49 @@ ExactState Vortex3d::at(const Vector3& X, double t) const {
   return state;
 }
 
+namespace {
+
+/// The point that lies deepest in both, near the deepest of a lattice in the smaller one's box.
+std::pair<double, Vector3> deepest_of(const Revolution& a, const Revolution& b) {
+  constexpr int looks = 24;
+  constexpr double shortest = 1e-7;  // of the size
+  const auto size = [](const Revolution& r) { return std::hypot(r.reach()[0], r.reach()[1]); };
+  const Revolution& smaller = size(a) < size(b) ? a : b;
+  Vector3 X = smaller.center;
+  double deepest = -HUGE_VAL;
+  const auto look = [&](const Vector3& at) {
+    const double depth = std::min(a.depth(at), b.depth(at));
+    const bool deeper = depth > deepest;
+    if (deeper) deepest = depth, X = at;
+    return deeper;
+  };
+  const double half = size(smaller);
+  for (int k = 0; k < looks * looks * looks; ++k) {
+    const Vector3 share(k % looks, k / looks % looks, k / looks / looks);
+    look(smaller.center + half * (2 * share / (looks - 1) - Vector3::Ones()));
+  }
+  for (double step = 2 * half / looks; step > shortest * half;) {
+    const Vector3 from = X;
+    bool deeper = false;
+    for (int k = 0; k < 27; ++k) deeper |= look(from + step * Vector3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
+    if (!deeper) step /= 2;
+  }
+  return {deepest, X};
+}
+
+}  // namespace
+
+std::optional<Vortex3d::Overlap> Vortex3d::overlap() const {
+  constexpr double touching = 1e-6;  // as deep: bodies whose edges touch have no point in common
+  for (std::size_t i = 0; i < vortices.size(); ++i) {
+    for (std::size_t j = i + 1; j < vortices.size(); ++j) {
+      const auto [depth, X] = deepest_of(vortices[i], vortices[j]);
+      if (depth > touching) return Overlap{i, j, X};
+    }
+  }
+  return std::nullopt;
+}
+
 double Vortex3d::largest_xi() const {
   double largest = 0;
   for (const Revolution& vortex : all()) largest = std::max(largest, largest_xi_of(vortex));
@@ -194,25 +244,39 @@ class Vortex3dKind final : public MotionOf<Vortex3dKind, Vortex3d> {
   const Amplitude* amplitude() const override { return &m.amplitude; }
   bool is_homogeneous() const override { return false; }
   bool is_plane() const override { return false; }
+  bool only_in_space() const override { return true; }
   bool bears_tractions() const override { return false; }
-  std::array<double, 2> usual_lower() const override { return {-reach(), -reach()}; }
-  std::array<double, 2> usual_upper() const override { return {reach(), reach()}; }
 
   void keys(Keys& keys) override {
-    m.one.keys(keys);
+    m.one.keys(keys, m.vortices.empty());
+    keys("vortices", "several disjoint vortices in one body, in place of the one: a list of maps", m.vortices);
     period_key(keys, m.amplitude.period);
     m.amplitude.keys(keys);
   }
 
   std::optional<MotionFault> fault(const MotionUse& use) const override {
-    if (use.by_method) return MotionFault{"motion.type", "the method is plane strain, and vortex3d is not"};
     if (m.vortices.empty()) return fault_of(m.one, "motion.", use);
+    std::optional<MotionFault> found;
+    EachKey each([&](const KeyInfo& key, KeyType, const KeyValue&) -> EachKey::Answer {
+      const std::string path = "motion." + std::string(key.name);
+      if (use.gives(path)) found = MotionFault{path, "belongs to the items of motion.vortices, which is given"};
+      return std::nullopt;
+    });
+    Revolution().keys(each);
+    for (std::size_t k = 0; k < m.vortices.size() && !found; ++k)
+      found = fault_of(m.vortices[k], "motion.vortices[" + std::to_string(k) + "].", use);
+    if (found) return found;
+    if (const auto both = m.overlap()) {
+      const Vector3& X = both->X;
+      return MotionFault{"motion.vortices[" + std::to_string(both->second) + "]",
+                         "overlaps motion.vortices[" + std::to_string(both->first) + "], for both hold the point (" +
+                             rounded_text(X.x(), 4) + ", " + rounded_text(X.y(), 4) + ", " + rounded_text(X.z(), 4) +
+                             "): they must be disjoint"};
+    }
     return std::nullopt;
   }
 
  private:
-  double reach() const { return 1; }
-
   static std::optional<MotionFault> fault_of(const Revolution& r, const std::string& path, const MotionUse& use) {
     const auto says = [&](const char* key, const std::string& what) { return MotionFault{path + key, what}; };
     const bool is_torus = r.profile == Revolution::Profile::torus, is_drum = r.profile == Revolution::Profile::drum;

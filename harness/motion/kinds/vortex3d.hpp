@@ -37,25 +37,30 @@ struct Revolution {
   Vector3 center{0, 0, 0};               ///< on the axis [m]
   double strength = 1;                   ///< factor of h, of either sign [1]
 
-  void keys(auto& key) {
-    const bool is_torus = profile == Profile::torus, is_drum = profile == Profile::drum;
-    key("profile", "shape of the vortex, a body of revolution about its axis", profile);
+  /// alone: not shown in a scene that is written in full where a list of vortices takes its place.
+  void keys(auto& key, bool alone = true) {
+    const bool is_torus = alone && profile == Profile::torus, is_drum = alone && profile == Profile::drum;
+    key("profile", "shape of the vortex, a body of revolution about its axis", profile, {.shown = alone});
     key("radius", "radius a of a ball or drum; of a torus the radius w of its section [m]", radius,
-        {.range = positive});
-    key("ring_radius", "radius R0 of the circle in the middle of a torus, more than radius [m]", ring_radius,
-        {.range = positive, .derived = "required of a torus, which alone has it", .shown = is_torus});
+        {.range = positive, .shown = alone});
+    key("ring_radius", "radius R0 of the circle in the middle of a torus, more than its radius [m]", ring_radius,
+        {.range = positive, .derived = "none: required of a torus, which alone has it", .shown = is_torus});
     key("height", "half the height of a drum, c [m]", height,
-        {.range = positive, .derived = "required of a drum, which alone has it", .shown = is_drum});
-    profile_power_key(key, profile_power);
+        {.range = positive, .derived = "none: required of a drum, which alone has it", .shown = is_drum});
+    profile_power_key(key, profile_power, alone);
     key("height_power", "k of a drum's profile (1 - R^2/a^2)^m (1 - Z^2/c^2)^k", height_power,
         {.range = profile_powers, .derived = "4 of a drum, which alone has it", .shown = is_drum});
-    axis_key(key, axis);
-    key("center", "point on the axis, in the middle of the vortex [m]", center);
-    key("strength", "factor of the angle against that of the amplitude, of either sign [1]", strength);
+    axis_key(key, axis, alone);
+    key("center", "point on the axis, in the middle of the vortex [m]", center, {.shown = alone});
+    key("strength", "factor of the angle against that of the amplitude, of either sign [1]", strength,
+        {.shown = alone});
   }
 
   /// R: distance from the axis, Z: along it from the centre [m]. Absent outside; on the edge the limit from inside.
   std::optional<MeridianProfile> at(double R, double Z) const;
+
+  /// What is positive inside, 0 on the edge, and falls outwards [1]; X in space [m].
+  double depth(const Vector3& X) const;
 
   /// Half the size of a box around the meridian section, along R from the axis and along Z [m].
   std::array<double, 2> reach() const;
@@ -103,6 +108,13 @@ struct Vortex3d {
   std::optional<MeridianPoint> place(const Vector3& X) const;
 
   ExactState at(const Vector3& X, double t) const;
+
+  /// Two vortices with points in common, and one of these points; absent where all are disjoint.
+  struct Overlap {
+    std::size_t first = 0, second = 0;
+    Vector3 X = Vector3::Zero();  ///< [m]
+  };
+  std::optional<Overlap> overlap() const;
 
   /// The largest xi of all vortices.
   double largest_xi() const;

@@ -50,6 +50,12 @@ TEST(Settings, ReplaceAValueOfAList) {
   EXPECT_EQ(changed_list.find("a")->find("b")->items[2].text, "7");
   EXPECT_EQ(changed_list.find("a")->find("b")->items[0].text, "1");
   EXPECT_EQ(changed("a: [{b: 1}]", "a.0.b=2").find("a")->items[0].find("b")->text, "2");
+  EXPECT_EQ(changed("a: [{b: 1}]", "a[0].b=2").find("a")->items[0].find("b")->text, "2");
+  EXPECT_EQ(changed("a: [[1, 2]]", "a[0][1]=3").find("a")->items[0].items[1].text, "3");
+  EXPECT_EQ(refused("list[1]=1"), "--set list[1]: 'list' is a list of 1, counted from 0");
+  EXPECT_EQ(refused("list[01]=1"), "--set list[01]: keys are joined by '.': write list.01=...");
+  EXPECT_EQ(refused("list[0]x=1"), "--set list[0]x: keys are joined by '.': write list.0.x=...");
+  EXPECT_EQ(refused("[0]=1"), "--set: takes key.path=value, found '[0]=1'");
   for (const char* index : {"x", "1", "-1", "0x0", "00", "18446744073709551616", "1e0"}) {
     EXPECT_EQ(refused(std::string("list.") + index + "=1"),
               std::string("--set list.") + index + ": 'list' is a list of 1, counted from 0");
@@ -60,6 +66,14 @@ TEST(Settings, AListThatIsNotThereHasNoValues) {
   EXPECT_EQ(refused("grid.offset.1=0.5"),
             "--set grid.offset.1: the scene has no list 'grid.offset' of which to set a value");
   EXPECT_EQ(changed("a: {b: 1}", "a.1=2").find("a")->find("1")->text, "2") << "a map's key";
+}
+
+TEST(Settings, NumbersInBracketsAreStepsOfAPath) {
+  EXPECT_EQ(dotted("motion.vortices[10].center[2]"), "motion.vortices.10.center.2");
+  for (const char* path :
+       {"grid.spacing", "a[b]", "a[1", "a]1[", "a[]", "a[-1]", "a[1]b", "expect.a[0]", "material.parameters.C[0]"}) {
+    EXPECT_EQ(dotted(path), path);
+  }
 }
 
 TEST(Settings, WhatFollowsExpectIsOneKey) {

@@ -151,6 +151,11 @@ TEST(AxesReader, TwoAxesThatSetTheSameKeyAreRefused) {
       << "adds to what the first has set";
   EXPECT_EQ(refused_axes("{grid: [{spacing: 1}, {spacing: 2}], grid.spacing: [3]}"),
             "study.yaml:2:44: axes.grid.spacing: sets 'grid.spacing', which 'grid' sets too");
+  EXPECT_EQ(refused_axes("{grid.offset.0: [0.1], 'grid.offset[0]': [0.2]}"),
+            "study.yaml:2:30: axes.grid.offset[0]: sets 'grid.offset.0', which 'grid.offset.0' sets too");
+  EXPECT_EQ(refused_axes("{m: {a: {grid.offset.0: 0.1, 'grid.offset[0]': 0.2}}}"),
+            "study.yaml:2:36: axes.m.a.grid.offset[0]: stands beside 'grid.offset.0'");
+  EXPECT_EQ(refused_axes("{'grid.offset[0]': [0.1], 'grid.offset[1]': [0.2]}"), "accepted");
   EXPECT_EQ(refused_axes("{m: {a: {method.basis: cpdi, method: {basis: linear}}}}"),
             "study.yaml:2:36: axes.m.a.method: stands beside 'method.basis'");
   EXPECT_EQ(refused_axes("{method: {a: {method.courant: 0.4}, b: {method.courant: 0.2}}}"), "accepted");
