@@ -120,6 +120,7 @@ void take_all(const Specimen& specimen, Evidence& evidence, Report& report) {
   evidence.turned = turned_step(specimen);
   evidence.drifting = if_taken([&] { return drifting_variable(specimen); }, {});
   evidence.overshoots = overshoot(specimen);
+  evidence.asymmetric_at_rest = asymmetric_at_rest(specimen);
   evidence.pressed_at_rest = pressed_at_rest(specimen);
   evidence.grows_at_rest = grows_at_rest(specimen);
   evidence.growth_declaration = specimen.options.declarations.growth;

@@ -2,6 +2,7 @@
 // A frame that is turned once for all, what any model keeps exactly; and a body that is, with its frame or without.
 #include <cmath>
 
+#include "harness/check/component_slip.hpp"
 #include "harness/check/frame_twins.hpp"
 #include "harness/check/tests.hpp"
 
@@ -86,6 +87,26 @@ bool turns_on_in_place(const Specimen& specimen, TestResult& result) {
   return true;
 }
 
+/// The slip in components of the stress that explains why `seen` is not `still` turned by Q.
+std::optional<ComponentSlip> slip_of_stress(const Specimen& specimen, const FrameTwins& twins) {
+  constexpr double explained = 1e-3;  // of the error
+  if (specimen.space.is_plane()) return std::nullopt;
+  const auto found = [&]() -> std::optional<ComponentSlip> {
+    const March still = from_rest(specimen, twins.still), seen = from_rest(specimen, twins.seen);
+    const auto error = [&](const ComponentSlip& slip) {
+      double worst = 0;
+      for (std::size_t k = 0; k < still.marks.size(); ++k) {
+        const Tensor expected = rotated(twins.Q, slip.undone(still.marks[k].cauchy));
+        worst = std::max(worst, distance(slip.undone(seen.marks[k].cauchy), expected));
+      }
+      return worst;
+    };
+    const double as_it_is = error({});
+    return slip_that([&](const ComponentSlip& slip) { return error(slip) <= explained * as_it_is; });
+  };
+  return if_taken(found, std::nullopt);
+}
+
 }  // namespace
 
 /// Orientation of the frame from the beginning on; sigma = Q sigma_0 Q^T.
@@ -119,6 +140,9 @@ TestResult constant_rotation(const Specimen& specimen) {
   } else if (const auto order = order_by_turns(specimen, is_right)) {
     result.cause = cause_of(*order);
     result.sentence += "; right in frames that exchange certain axes: " + misplaced_somewhere(*order);
+  } else if (const auto slip = slip_of_stress(specimen, {still, seen, Q})) {
+    result.cause = slip->cause;
+    result.sentence += ", because " + slip->of("the stress");
   } else if (right(specimen.space.turn(small_angle))) {
     result.sentence += "; right in a frame that is turned by 17 degrees: it depends on the size of the rotation";
   } else if (specimen.isotropic() && right(rotation_about_z(right_angle)) &&

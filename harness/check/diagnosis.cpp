@@ -27,6 +27,7 @@ constexpr Consequence consequences[] = {
     {ids::major_symmetry, ids::class_at_rest},         // a stiffness that is mixed up is
                                                        // seldom symmetric
     {ids::positive_stiffness, ids::shear_components},  // shears that are exchanged drive each other on
+    {ids::positive_stiffness, ids::shear_modulus},     // as those of the wrong sign do
     {ids::positive_stiffness, ids::class_at_rest},
     {ids::dissipation, ids::positive_stiffness},  // whatever drives itself on
     {ids::clock, ids::repeated},                  // what is kept elsewhere follows no clock

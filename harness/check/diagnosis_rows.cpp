@@ -243,6 +243,7 @@ const std::vector<Row>& rows() {
       {frames, any, by(ids::dissipation), neither(is_finite_in_revolutions, constant)},
       {frames, any, by(ids::nearly_equal_stretches), no(is_wrong_once_for_all)},
       {its_own_test, any, by(ids::zero_increment), neither(is_wrong_once_for_all, zero_increment_is_told)},
+      {frames, no_frames, by(ids::symmetry), both(failed_in(ids::symmetry), is(&Evidence::asymmetric_at_rest))},
       {frames, no_frames, by_size(ids::shear_components)},
       {frames, any, by_size(ids::shear_modulus), failed_in(ids::shear_components)},
       {frames, no_frames, by_size(ids::shear_modulus)},

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/frame_twins.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "harness/check/judge.hpp"
@@ -105,7 +104,7 @@ std::optional<ShearOrder> order_by_turns(const Specimen& specimen,
   const Loading still = out_and_back(specimen);
   if (specimen.space.is_plane() || is_right(specimen.space.turn(small_angle), still)) return std::nullopt;
   const auto right = [&](const Tensor& R) { return is_right(R, still); };
-  const Tensor about_diagonal = Eigen::AngleAxisd(turning_angle, Vector3(1, 1, 0).normalized()).toRotationMatrix();
+  const Tensor about_diagonal = turn_about({1, 1, 0}, turning_angle);
   for (const ShearOrder& order : other_orders) {
     const int kept = order[0] == 0 ? 0 : order[1] == 1 ? 1 : 2;
     if (order[static_cast<std::size_t>(kept)] != kept) continue;

@@ -11,6 +11,10 @@
 
 namespace assay::check {
 
+Tensor turn_about(const Vector3& axis, double angle) {
+  return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+}
+
 Tensor Space::within(const Tensor& A) const {
   Tensor result = A;
   for (int c = 0; c < 9; ++c) {
@@ -21,7 +25,7 @@ Tensor Space::within(const Tensor& A) const {
 
 Tensor Space::turn(double angle) const {
   if (is_plane_) return rotation_about_z(angle);
-  return Eigen::AngleAxisd(angle, Vector3(1, 2, 3).normalized()).toRotationMatrix();
+  return turn_about({1, 2, 3}, angle);
 }
 
 Tensor Space::stretch(double amplitude, double s) const {
@@ -50,6 +54,24 @@ Point hold_until(const Material& material, double time, const Tensor& F, Point f
 
 bool takes(const Material& material, const FailedStep& step) {
   return if_taken([&] { return stepped(material, step), true; }, false);
+}
+
+std::vector<Tensor> Batch::step(const Material& material, double t, double dt, const std::vector<Tensor>& F0,
+                                const std::vector<Tensor>& F1) {
+  const std::size_t n = states.size(), size = material.state_size();
+  std::vector<double> before(9 * n), after(9 * n), state0(size * n), state1(size * n), cauchy(9 * n);
+  for (std::size_t p = 0; p < n; ++p) {
+    put_tensor(F0[p], before.data(), n, p);
+    put_tensor(F1[p], after.data(), n, p);
+    put_point(states[p], state0.data(), n, p);
+  }
+  checked_update(material, 0, t, dt, n, before.data(), after.data(), state0.data(), state1.data(), cauchy.data());
+  std::vector<Tensor> stresses;
+  for (std::size_t p = 0; p < n; ++p) {
+    states[p] = point_of(state1.data(), n, p, size);
+    stresses.push_back(tensor_at(cauchy.data(), n, p));
+  }
+  return stresses;
 }
 
 March march(const Material& material, const Loading& loading, const MarchOptions& options) {

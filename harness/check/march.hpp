@@ -13,6 +13,9 @@ namespace assay::check {
 
 inline constexpr double turning_angle = 2.3;  ///< [rad], no fraction of a turn
 
+/// The rotation about an axis, which need not be a unit vector, by an angle [rad].
+Tensor turn_about(const Vector3& axis, double angle);
+
 /// All deformations, or those of the plane 12 alone (ASSAY_IN_PLANE), with a stretch 33.
 class Space {
  public:
@@ -43,6 +46,15 @@ struct Loading {
 
 using Point = StepEnd;
 using assay::stepped;
+
+/// Points that a host takes together, each from a state of its own.
+struct Batch {
+  std::vector<std::vector<double>> states;  ///< one for each point, as the next step finds it
+
+  /// Stresses [Pa] of one step of all points, from F0 to F1 of each. Throws MaterialFailure.
+  std::vector<Tensor> step(const Material& material, double t, double dt, const std::vector<Tensor>& F0,
+                           const std::vector<Tensor>& F1);
+};
 
 /// Points at the end of each phase; the largest component of stress on the way and the norm of the stress after each
 /// step [Pa]; the last step taken.

@@ -58,6 +58,7 @@ namespace causes {
 inline constexpr const char* components_swapped = "components 13 and 23 swapped";
 inline constexpr const char* other_order = "components in another order";
 inline constexpr const char* shear_factor = "shear factor 2";
+inline constexpr const char* wrong_sign = "component of the wrong sign";
 inline constexpr const char* small_strain = "small-strain law used at finite strain";
 inline constexpr const char* rotation_missing = "increment rotation missing";
 inline constexpr const char* wrong_spin = "wrong spin";

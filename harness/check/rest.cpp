@@ -51,58 +51,6 @@ bool grows_at_rest(const Specimen& specimen) {
 
 namespace {
 
-/// The largest sigma - sigma^T that was seen [Pa], beside the largest stress and deviator.
-struct Skew {
-  double largest, deviator = 0, skew = 0;
-};
-
-void look_at_stress(const Specimen& specimen, const Loading& loading, Skew& seen) {
-  const int steps = specimen.steps() * loading.phases;
-  Point now{Tensor::Zero(), specimen.rest_state()};
-  Tensor F0 = loading.F(0);
-  for (int k = 0; k < steps; ++k) {
-    const double s = (k + 1.0) / steps;
-    const Tensor F1 = loading.F(loading.phases * s);
-    now = stepped(specimen, s, 1.0 / steps, F0, F1, now.state);
-    seen.largest = std::max(seen.largest, size_of(now.cauchy));
-    seen.deviator = std::max(seen.deviator, size_of(deviator(now.cauchy)));
-    seen.skew = std::max(seen.skew, distance(now.cauchy, now.cauchy.transpose()));
-    F0 = F1;
-  }
-}
-
-}  // namespace
-
-/// sigma = sigma^T along the loading, which turns.
-TestResult symmetry(const Specimen& specimen) {
-  constexpr double of_deviator = 0.05, significant = 1e-4;
-  constexpr double rounding = 1e-9;  // of double precision, with what iterations leave; single leaves 1e-7
-  Skew seen{specimen.least_stress()};
-  const Loading still = out_and_back(specimen);
-  const auto turning = [&](double t) { return Tensor(specimen.space.turn(t) * still.F(t)); };
-  look_at_stress(specimen, {turning, still.phases}, seen);
-  const auto sheared = [&](double t) {
-    Tensor F = Tensor::Identity();
-    component(F, 1) = specimen.amplitude * (t < 1 ? t : 2 - t);
-    return F;
-  };
-  try {
-    look_at_stress(specimen, {sheared, 2}, seen);
-  } catch (const MaterialFailure&) {  // the strain was not tried in shear
-  }
-  double measure = seen.skew / seen.largest;
-  double most = measure > rounding && is_of_single_precision(specimen) ? own_precision : rounding;
-  if (seen.deviator > significant * seen.largest && seen.skew > of_deviator * seen.deviator) {  // beside a pressure
-    measure = seen.skew / seen.deviator;
-    most = of_deviator;
-  }
-  const std::string words =
-      "sigma - sigma^T relative to the stress, for a body that rotates while it is loaded: " + rounded(measure);
-  return judged(measure, most, words, causes::not_symmetric, words);
-}
-
-namespace {
-
 constexpr double top_of_pauses = 0.3;  ///< of the stretch
 
 /// What steps without deformation change whose length goes to zero: a model that relaxes does so in time. A first one

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/symmetry_class.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,10 +14,6 @@ namespace assay::check {
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
-
-Tensor turn_about(const Vector3& axis, double angle) {
-  return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
-}
 
 Tensor half_turn_about(int axis) { return turn_about(Vector3::Unit(axis), full_turn / 2); }
 

@@ -31,6 +31,9 @@ bool pressed_at_rest(const Specimen& specimen);
 /// temperature of its own.
 bool grows_at_rest(const Specimen& specimen);
 
+/// Whether the stress of a small strain from rest is not symmetric: an error of the answer alone, whatever turns.
+bool asymmetric_at_rest(const Specimen& specimen);
+
 /// Name of a tensor or vector of the state that changes in steps without deformation, and in no time; empty where there
 /// is none. No defect where the stress does not show it.
 std::string drifting_variable(const Specimen& specimen);
@@ -138,11 +141,12 @@ struct Evidence {
   Difference repeated;              ///< of steps that were taken again
   bool has_spin = false;            ///< steps turn something of the state
   bool has_state_that_turns = false;
-  bool pressed_at_rest = false;    ///< what stress there is at rest is a pressure
-  bool grows_at_rest = false;      ///< a stress at rest that time brings, and not steps
-  std::string growth_declaration;  ///< how the author of a model declares that
-  std::string overshoots;          ///< what a body that is held does in a step longer than its time of relaxation
-  std::string drifting;            ///< a variable of the state that changes in steps without deformation
+  bool asymmetric_at_rest = false;  ///< the stress of a small strain from rest
+  bool pressed_at_rest = false;     ///< what stress there is at rest is a pressure
+  bool grows_at_rest = false;       ///< a stress at rest that time brings, and not steps
+  std::string growth_declaration;   ///< how the author of a model declares that
+  std::string overshoots;           ///< what a body that is held does in a step longer than its time of relaxation
+  std::string drifting;             ///< a variable of the state that changes in steps without deformation
 };
 
 /// One test of the list.

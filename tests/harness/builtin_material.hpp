@@ -16,6 +16,7 @@ const assay_material* assay_builtin_hypoelastic_jaumann(std::uint32_t host_major
 const assay_material* assay_builtin_j2_jaumann(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_j2_multiplicative(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_mooney_rivlin(std::uint32_t host_major, std::uint32_t index);
+const assay_material* assay_builtin_neo_hookean(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_norton(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_orthotropic_cylindrical(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_perzyna(std::uint32_t host_major, std::uint32_t index);

@@ -14,6 +14,7 @@ inline const std::vector<std::string>& all_causes() {
   static const std::vector<std::string> all{components_swapped,
                                             other_order,
                                             shear_factor,
+                                            wrong_sign,
                                             small_strain,
                                             rotation_missing,
                                             wrong_spin,

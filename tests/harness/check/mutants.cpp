@@ -15,7 +15,7 @@ std::vector<Subject> all_subjects() {
        {incremental_mutants::subjects, total_mutants::subjects, viscous_mutants::subjects, fluid_mutants::subjects,
         soil_mutants::subjects, damage_mutants::subjects, extension_mutants::subjects, fibre_mutants::subjects,
         potential_mutants::subjects, melt_mutants::subjects, crystal_mutants::subjects, hill_mutants::subjects,
-        call_mutants::subjects}) {
+        component_mutants::subjects, call_mutants::subjects}) {
     for (Subject& subject : subjects()) all.push_back(std::move(subject));
   }
   return all;

@@ -74,6 +74,11 @@ namespace hill_mutants {
 std::vector<Subject> subjects();
 }
 
+/// Built-in models that misreport components of their stress.
+namespace component_mutants {
+std::vector<Subject> subjects();
+}
+
 /// What goes wrong around the equations of a model: in batches, by addresses, by chance, in the last digits.
 namespace call_mutants {
 std::vector<Subject> subjects();

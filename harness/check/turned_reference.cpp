@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "harness/check/turned_reference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "harness/check/judge.hpp"
+#include "harness/check/march.hpp"
+
+namespace assay::check {
+
+namespace {
+
+constexpr int increments = 64;  ///< in each piece of a path between reversals, as in coarse marches of a Course
+
+struct Orientation {
+  Vector3 axis = Vector3::UnitX();
+  double angle = 0;  ///< [rad]
+  Tensor R() const { return turn_about(axis, angle); }
+};
+
+/// The first is the baseline itself.
+std::vector<Orientation> orientations_of(const Material& material) {
+  const Vector3 z = Vector3::UnitZ();
+  if (material.has(ASSAY_IN_PLANE)) return {{}, {z, 0.9}, {z, 0.4}, {z, 2.1}};
+  return {{}, {{1, 2, 3}, 0.9}, {{3, -1, 2}, 2.1}, {{-2, 3, 1}, 0.4}};
+}
+
+/// Ends of equal increments of each piece [s].
+std::vector<double> times_of(const Path& path, double end, int count) {
+  std::vector<double> pieces = path.reversals(end), times{0};
+  pieces.push_back(end);
+  for (const double last : pieces) {
+    const double first = times.back();
+    for (int k = 1; k <= count; ++k) times.push_back(first + (last - first) * k / count);
+  }
+  return times;
+}
+
+/// Orientations, of which the first is the baseline, as the points of one batch. Throws MaterialFailure.
+TurnedReference found_in(const Material& material, const Path& path, double end, int count,
+                         const std::vector<Orientation>& all) {
+  const double xi = std::max(path.parameter.lower, path.parameter.upper,
+                             [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const auto& d = path.material_direction;
+  Batch batch;
+  for (const Orientation& each : all) {
+    batch.states.push_back(state_at_rest(material, 0, each.R() * Vector3(d[0], d[1], d[2])));
+  }
+  const auto all_at = [&](double t) {
+    const Tensor F = path.deformation_gradient(xi, t);
+    std::vector<Tensor> turned;
+    for (const Orientation& each : all) turned.push_back(rotated(each.R(), F));
+    return turned;
+  };
+  TurnedReference found;
+  double largest = 0;
+  const std::vector<double> times = times_of(path, end, count);
+  for (std::size_t k = 0; k + 1 < times.size(); ++k) {
+    const auto stresses =
+        batch.step(material, times[k], times[k + 1] - times[k], all_at(times[k]), all_at(times[k + 1]));
+    largest = std::max(largest, size_of(stresses.front()));
+    for (std::size_t p = 1; p < all.size(); ++p) {
+      const Tensor error = rotated(all[p].R().transpose(), stresses[p]) - stresses.front();
+      Eigen::Index i = 0, j = 0;
+      const double here = error.cwiseAbs().maxCoeff(&i, &j);
+      if (!(here > found.difference)) continue;
+      const std::string name = "s" + std::to_string(std::min(i, j) + 1) + std::to_string(std::max(i, j) + 1);
+      found = {here, all[p].axis, all[p].angle, name};
+    }
+  }
+  if (found.difference > 0) found.difference /= largest;
+  return found;
+}
+
+std::string in_brackets(const Vector3& v) {
+  return "(" + rounded(v.x(), 3) + ", " + rounded(v.y(), 3) + ", " + rounded(v.z(), 3) + ")";
+}
+
+bool is_along_an_axis(const Vector3& direction) {
+  constexpr double rounding = 1e-12;
+  const Vector3 sizes = direction.normalized().cwiseAbs();
+  return (sizes.array() > rounding).count() == 1;
+}
+
+}  // namespace
+
+std::optional<TurnedReference> turned_reference(const Material& material, const Path& path, double end) {
+  constexpr double falls = 0.25;  // as of other tests that compare two frames
+  const std::vector<Orientation> all = orientations_of(material);
+  const auto in = [&](int count, const std::vector<Orientation>& some) -> std::optional<TurnedReference> {
+    return if_taken([&] { return std::optional(found_in(material, path, end, count, some)); }, std::nullopt);
+  };
+  int count = increments;
+  std::optional<TurnedReference> found;
+  for (const int finer : {1, 4, 16}) {
+    found = in(count = finer * increments, all);
+    if (found) break;
+  }
+  if (!found) {
+    if (!in(count, {all.front()})) return std::nullopt;
+    const auto refused = std::find_if(all.begin() + 1, all.end(), [&](const Orientation& each) {
+      return !in(count, {all.front(), each});
+    });
+    if (refused == all.end()) return std::nullopt;
+    return TurnedReference{INFINITY, refused->axis, refused->angle};
+  }
+  if (found->is_isotropic() || found->difference > converging_limit) return found;
+  // An integrator that chooses its own steps by components of the strain takes others in another frame.
+  const std::optional<TurnedReference> finer = in(16 * count, all);
+  found->falls = finer && finer->difference <= falls * found->difference;
+  return found;
+}
+
+std::optional<std::string> reason_against_axis(const Material& material, const Path& path, double end) {
+  const auto& d = path.material_direction;
+  const Vector3 direction(d[0], d[1], d[2]);
+  if (has_direction(material.table()) && !is_along_an_axis(direction)) {
+    return "the direction " + in_brackets(direction) +
+           " of the model is along no axis of the baseline; a motion about an axis needs it along [1, 0, 0], [0, 1, 0] "
+           "or [0, 0, 1]";
+  }
+  const std::optional<TurnedReference> found = turned_reference(material, path, end);
+  if (!found || found->is_isotropic()) return std::nullopt;
+  const std::string turn = "turned by " + rounded(found->angle) + " rad about " + in_brackets(found->axis);
+  const std::string how = std::isinf(found->difference)
+                              ? "it refuses the same shear " + turn
+                              : turn + " the same shear gives a stress that differs by " + percent(found->difference) +
+                                    " (" + found->component + ")";
+  return "the model is not isotropic in its reference configuration: " + how +
+         "; a motion about an axis needs an isotropic model, or one whose direction assay fills in";
+}
+
+}  // namespace assay::check
