@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 #include "drivers/simulation/sheet_cache.hpp"
 #include "drivers/system/interrupt.hpp"
@@ -122,11 +123,24 @@ void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>
   constexpr double edge_rounding = 1e-9;  // of a radius: points on the ring's edges are in the ring
   if (const auto ring = ring_of(scene.motion); ring && !is_vortex(scene.motion)) {
     for (const ReferencePoint& point : points) {
-      const Vector3 seen(point.X, point.Y, point.Z), X = scene.frame ? scene.frame->body_point(seen) : seen;
-      const double R = std::hypot(X.x(), X.y());
-      if (R >= ring->inner * (1 - edge_rounding) && R <= ring->outer * (1 + edge_rounding)) continue;
+      const auto radius = [&](double x, double y, double z) {  // of a corner of its box
+        const Vector3 seen(point.X + x * point.HX, point.Y + y * point.HY, point.Z + z * point.HZ);
+        const Vector3 X = scene.frame ? scene.frame->body_point(seen) : seen;
+        return std::hypot(X.x(), X.y());
+      };
+      bool inside = true;
+      for (const double x : {-1, 1}) {
+        for (const double y : {-1, 1}) {
+          for (const double z : {-1, 1}) {
+            const double R = radius(x, y, z);
+            inside &= R >= ring->inner * (1 - edge_rounding) && R <= ring->outer * (1 + edge_rounding);
+          }
+        }
+      }
+      if (inside) continue;
       throw InputError({file, point.line, 1}, "X",
-                       "the point is at the radius " + rounded_text(R, 6) + ", outside of the ring between " +
+                       "the point is at the radius " + rounded_text(radius(0, 0, 0), 6) +
+                           (point.HX > 0 ? ", and its box reaches out" : ", outside") + " of the ring between " +
                            rounded_text(ring->inner, 6) + " and " + rounded_text(ring->outer, 6));
     }
   }
@@ -138,13 +152,38 @@ void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>
   }
 }
 
-std::vector<ExactPoint> exact_points(const Scene& scene, const std::shared_ptr<const Material>& material,
-                                     const std::vector<ReferencePoint>& points, double end, bool quiet) {
+ExactSolutionPtr exact_solution_of_points(const Scene& scene, const std::shared_ptr<const Material>& material,
+                                          double end, bool quiet) {
+  return as_seen(scene, exact_solution_at_points(scene, material, end, quiet));
+}
+
+std::vector<BoxForce> box_forces(const ExactSolution& exact, double density, const std::vector<ReferencePoint>& points,
+                                 bool in_space) {
+  std::map<double, std::vector<std::size_t>> by_time;
+  for (std::size_t i = 0; i < points.size(); ++i) by_time[points[i].t].push_back(i);
+  std::vector<BoxForce> found(points.size());
+  for (const auto& [t, some] : by_time) {
+    std::vector<std::array<Vector3, 8>> boxes;
+    for (const std::size_t i : some) {
+      const ReferencePoint& point = points[i];
+      const Vector3 middle(point.X, point.Y, in_space ? point.Z : 0);
+      const Vector3 half(point.HX, point.HY, in_space ? point.HZ : 0.5);
+      boxes.push_back(boxes_around(std::array{middle}, half).front());
+    }
+    const HexahedronAverage average(Hexahedra(boxes), density);
+    const auto forces = average.at(*exact.slice(t));
+    for (std::size_t k = 0; k < some.size(); ++k) found[some[k]] = {forces[k], average.volume(k)};
+    stop_if_interrupted();
+  }
+  return found;
+}
+
+std::vector<ExactPoint> exact_points(const ExactSolution& exact, const std::vector<ReferencePoint>& points,
+                                     bool quiet) {
   std::vector<PlaceAndTime> places;
   for (const ReferencePoint& point : points) places.push_back({{point.X, point.Y, point.Z}, point.t});
-  const ExactSolutionPtr exact = as_seen(scene, exact_solution_at_points(scene, material, end, quiet));
   Progress progress("eval", quiet);
-  return exact->at(places, [&](double share, const char* of) {
+  return exact.at(places, [&](double share, const char* of) {
     stop_if_interrupted();
     progress.update(share, of);
   });

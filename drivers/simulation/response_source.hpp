@@ -13,6 +13,7 @@
 #include "drivers/scene/scene.hpp"
 #include "drivers/system/progress.hpp"
 #include "harness/exact/exact_fields.hpp"
+#include "harness/exact/hexahedra.hpp"
 #include "harness/sheet/sheet.hpp"
 
 namespace assay::drivers {
@@ -40,10 +41,24 @@ ExactSolutionPtr as_seen(const Scene& scene, const ExactSolutionPtr& own);
 /// ring.
 void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>& points, const std::string& file);
 
-/// Stress and body force of the scene's exact motion at each point, in their order, as the scene's frame sees them,
-/// over times 0 .. end. Throws InputError, MaterialFailure, Interrupted. quiet: no terminal shows how far it is.
-std::vector<ExactPoint> exact_points(const Scene& scene, const std::shared_ptr<const Material>& material,
-                                     const std::vector<ReferencePoint>& points, double end, bool quiet = true);
+/// Motion, stress and body force at each point, in their order. Throws MaterialFailure, Interrupted.
+std::vector<ExactPoint> exact_points(const ExactSolution& exact, const std::vector<ReferencePoint>& points,
+                                     bool quiet = true);
+
+/// Of the scene's exact motion for single points at times 0 .. end, each as exact as it can be, as the scene's frame
+/// sees it. Throws InputError, MaterialFailure, Interrupted. quiet: no terminal shows how far it is.
+ExactSolutionPtr exact_solution_of_points(const Scene& scene, const std::shared_ptr<const Material>& material,
+                                          double end, bool quiet = true);
+
+/// b over the box of a point.
+struct BoxForce {
+  DomainForce acts;
+  double volume = 0;  ///< in the plane of a thickness of 1 m [m^3]
+};
+
+/// Of points that all have a box, in their order. density: rho0 [kg/m^3].
+std::vector<BoxForce> box_forces(const ExactSolution& exact, double density, const std::vector<ReferencePoint>& points,
+                                 bool in_space);
 
 // What a terminal shows while a sheet is made, and what is said before a long one.
 

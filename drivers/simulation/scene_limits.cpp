@@ -41,6 +41,8 @@ void require_acceleration(const Scene& scene) {
 
 void require_runnable(const Scene& scene) {
   require_acceleration(scene);
+  if (!scene.method)
+    refuse(scene, "method", "a scene without a method cannot be run: only tabulated, evaluated and checked");
   if (!scene.motion->is_plane()) {
     refuse(scene, "motion",
            "the method is plane strain: nothing may happen out of the plane, and axes must be [0, 0, 1]");
@@ -51,8 +53,6 @@ void require_runnable(const Scene& scene) {
            "a ramp stops at its period: the velocity jumps there, and no body force can do that; end the run "
            "at the period");
   }
-  if (!scene.method)
-    refuse(scene, "method", "a scene without a method cannot be run: only tabulated, evaluated and checked");
   if (!scene.grid) refuse(scene, "grid", "required to run");
   require_surface(scene);
 }

@@ -30,8 +30,8 @@ namespace assay::drivers {
 namespace {
 
 /// Each column of a row, by its name and value.
-void visit_columns(const ReferencePoint& point, const ExactPoint& exact, bool three, bool normals,
-                   const std::function<void(const std::string& name, double value)>& column) {
+void visit_columns(const ReferencePoint& point, const ExactPoint& exact, const BoxForce* over_box, bool three,
+                   bool normals, const std::function<void(const std::string& name, double value)>& column) {
   const auto vector = [&](const std::string& name, const Vector3& of) {
     for (int d = 0; d < (three ? 3 : 2); ++d) column(name + "xyz"[d], of(d));
   };
@@ -50,7 +50,12 @@ void visit_columns(const ReferencePoint& point, const ExactPoint& exact, bool th
   tensor("F", exact.state.F, all);
   tensor("P", exact.stress.first_piola_kirchhoff, all);
   tensor("s", exact.stress.cauchy, three ? Components{0, 4, 8, 1, 2, 5} : Components{0, 1, 4, 8});
-  vector("b", exact.stress.body_force);
+  vector("b", over_box ? over_box->acts.b : exact.stress.body_force);
+  if (over_box) {
+    const Vector3& moment = over_box->acts.moment;
+    column("V", over_box->volume);
+    for (int d = three ? 0 : 2; d < 3; ++d) column(std::string("m") + "xyz"[d], moment(d));
+  }
   if (!normals) return;
   const Vector3 N = unit_along({point.NX, point.NY, point.NZ});
   vector("t", exact.stress.first_piola_kirchhoff * N);  // the traction per reference area [Pa]
@@ -60,6 +65,13 @@ double last_time(const ReferencePoints& points, double otherwise) {
   double last = 0;
   for (const ReferencePoint& point : points.points) last = std::max(last, point.t);
   return last > 0 ? last : otherwise;
+}
+
+/// A box in the plane has no third edge, and one in space has.
+void require_boxes_in_space(const ReferencePoints& points, bool three, const std::string& file) {
+  if (!points.has_boxes || points.has_third_edge == three) return;
+  throw InputError({file, 1, 1}, three ? "HX" : "HZ",
+                   three ? "boxes in three dimensions need HZ" : "boxes of a plane scene have HX and HY alone");
 }
 
 std::string evaluated(const EvalOptions& options) {
@@ -78,13 +90,19 @@ std::string evaluated(const EvalOptions& options) {
   warn_of_instability(scene, *material, end, quiet);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
   const bool three = scene.dimension == 3 || scene.motion->is_spatial();
-  const std::vector<ExactPoint> exact = exact_points(scene, material, points.points, end, quiet);
+  require_boxes_in_space(points, three, options.points);
+  const auto solution = exact_solution_of_points(scene, material, end, quiet);
+  const std::vector<ExactPoint> exact = exact_points(*solution, points.points, quiet);
+  std::vector<BoxForce> over_boxes;
+  if (points.has_boxes) over_boxes = box_forces(*solution, scene.material.density, points.points, three);
+  const BoxForce no_box;
   std::vector<std::string> names;
-  visit_columns({}, {}, three, points.has_normals, [&](const std::string& name, double) { names.push_back(name); });
+  visit_columns({}, {}, points.has_boxes ? &no_box : nullptr, three, points.has_normals,
+                [&](const std::string& name, double) { names.push_back(name); });
   CsvText csv(names);
   for (std::size_t i = 0; i < exact.size(); ++i) {
     std::vector<double> row;
-    visit_columns(points.points[i], exact[i], three, points.has_normals,
+    visit_columns(points.points[i], exact[i], points.has_boxes ? &over_boxes[i] : nullptr, three, points.has_normals,
                   [&](const std::string&, double value) { row.push_back(value); });
     csv.row(row);
   }
@@ -109,7 +127,9 @@ std::string hint_of(const EvalOptions& options) {
 Act add_eval_arguments(VerbArguments& verb) {
   const auto given = std::make_shared<EvalOptions>();
   add_scene(verb, *given);
-  add_value(verb, "--points", given->points, "CSV", "reference points, columns X,Y,t")->required();
+  add_value(verb, "--points", given->points, "CSV",
+            "reference points, columns X,Y,t; with Z, NX,NY,NZ, HX,HY,HZ where wanted")
+      ->required();
   add_out(verb, given->out, "CSV", "file for the table (default: standard output)");
   return act_of(given, eval);
 }

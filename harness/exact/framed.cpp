@@ -92,6 +92,24 @@ class FramedInstant final : public ExactInstant {
   Plane first_, now_{1, 0, 0, 1};  ///< R(0), R(t)
 };
 
+class FramedSlice final : public ExactSlice {
+ public:
+  FramedSlice(const Frame& frame, std::unique_ptr<const ExactSlice> own, double t)
+      : frame_(frame), own_(std::move(own)), t_(t) {}
+  ExactPoint at(const Vector3& X) const override {
+    const ExactPoint own = own_->at(frame_.body_point(X));
+    return {frame_.seen(own.state, t_), frame_.seen(own.stress, own.state, t_)};
+  }
+  ExactState state(const Vector3& X) const override { return frame_.seen(own_->state(frame_.body_point(X)), t_); }
+  bool has_parts() const override { return own_->has_parts(); }
+  std::size_t part(const Vector3& X) const override { return own_->part(frame_.body_point(X)); }
+
+ private:
+  Frame frame_;
+  std::unique_ptr<const ExactSlice> own_;
+  double t_;
+};
+
 class FramedSolution final : public ExactSolution {
  public:
   FramedSolution(const Frame& frame, ExactSolutionPtr own)
@@ -108,6 +126,9 @@ class FramedSolution final : public ExactSolution {
     return found;
   }
 
+  std::unique_ptr<const ExactSlice> slice(double t) const override {
+    return std::make_unique<FramedSlice>(frame_, own_->slice(t), t);
+  }
   ExactState state(const Vector3& X, double t) const override {
     return frame_.seen(own_->state(frame_.body_point(X), t), t);
   }
