@@ -49,7 +49,7 @@ TEST(Dimension, ADimensionOfThreeServesEveryMotionAndNoMethod) {
   EXPECT_EQ(scene_from_text(scene_text(), "f.yaml").dimension, 2);
   EXPECT_EQ(scene_from_text("dimension: 3\n" + scene_text(), "f.yaml").dimension, 3);
   EXPECT_EQ(refused_extra("dimension: 2\n"), "accepted");
-  EXPECT_EQ(refused_extra("dimension: 4\n"), "f.yaml:3:12: dimension: must be a whole number from 2 to 3, found 4");
+  EXPECT_EQ(refused_extra("dimension: 4\n"), "f.yaml:3:12: dimension: must be from 2 to 3, found '4'");
   EXPECT_EQ(
       refused_extra("dimension: 3\ngrid: {spacing: .1}\nmethod: {basis: cpdi}\n"),
       "f.yaml:5:9: method: the particles are plane so far, and dimension is 3: leave one of the two out; eval and "
@@ -88,7 +88,7 @@ TEST(Dimension, TheBoxHasAFactorForEachAxis) {
   EXPECT_EQ(factors(box(", factors: [0.5, 2, 0]")), Vector3(0.5, 2, 0));
   EXPECT_EQ(factors(box(", factors: [1, -1, 0]", "dimension: 3\n")), Vector3(1, -1, 0));
   EXPECT_EQ(refused(box(", factors: [1, -1, 0.5]")),
-            "f.yaml:1:53: motion.factors: the third must be 0 in the plane, found 0.5: with dimension: 3 it may be any "
+            "f.yaml:1:54: motion.factors: the third must be 0 in the plane, found 0.5: with dimension: 3 it may be any "
             "number");
   EXPECT_TRUE(has(refused(box(", factors: [1, -4, 0]")),
                   "motion.amplitude.peak: times the largest of motion.factors, 4, must be less than 1/pi in size"));
