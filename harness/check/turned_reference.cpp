@@ -129,7 +129,7 @@ std::optional<std::string> reason_against_axis(const Material& material, const P
                               : turn + " the same shear gives a stress that differs by " + percent(found->difference) +
                                     " (" + found->component + ")";
   return "the model is not isotropic in its reference configuration: " + how +
-         "; a motion about an axis needs an isotropic model, or one whose direction assay fills in";
+         "; a motion about an axis needs an isotropic model, or one whose only direction assay fills in";
 }
 
 }  // namespace assay::check

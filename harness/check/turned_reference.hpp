@@ -29,13 +29,14 @@ struct TurnedReference {
 };
 
 /// Takes the material from rest to `end` [s] along the baseline of the largest |xi|, and along the same one turned as a
-/// whole, F' = R F R^T, with the material's direction, in as many increments. In three orientations, those of a
-/// material of the plane 12 about its normal. Nothing where the material takes no increments of that length: its
-/// histories then tell why. Throws as initial_state does.
+/// whole, F' = R F R^T, with the material's direction, as a host fills it in, in as many increments. In three
+/// orientations, those of a material of the plane 12 about its normal. Nothing where the material takes no increments
+/// of that length: its histories then tell why. Throws as initial_state does.
 std::optional<TurnedReference> turned_reference(const Material& material, const Path& path, double end);
 
 /// Why the baseline does not tell the response of a body that moves about an axis, in one sentence: the material is not
-/// isotropic beside its direction, or its direction is along no axis of the baseline. Nothing where it does.
+/// isotropic beside its direction (of several, a host turns the first alone with the body), or its direction is along
+/// no axis of the baseline. Nothing where it does.
 std::optional<std::string> reason_against_axis(const Material& material, const Path& path, double end);
 
 }  // namespace assay::check

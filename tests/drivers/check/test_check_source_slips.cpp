@@ -157,6 +157,12 @@ std::string neo_hookean_in_order(const std::string& rows, const std::string& col
          "     3      +DK(J,L)*S(I,K))\n";
 }
 
+/// The same law, right but for a component of stress and tangent that is so many times what it should be.
+std::string neo_hookean_weighing(const std::string& component, const std::string& factor) {
+  return neo_hookean_in_order("1,1,2", "2,3,3") + "      STRESS(" + component + ")=" + factor + "*STRESS(" + component +
+         ")\n      DDSDDE(" + component + ",:)=" + factor + "*DDSDDE(" + component + ",:)\n";
+}
+
 /// The points of a VUMAT, but for those beyond that one.
 std::string points_up_to(const std::string& last) {
   std::string text = points("");
@@ -286,6 +292,22 @@ INSTANTIATE_TEST_SUITE_P(
                           "      E=DSTRAN\n      E(4)=DSTRAN(6)\n      E(6)=DSTRAN(4)\n"
                           "      STRESS=STRESS+MATMUL(DDSDDE,E)\n"),
                "1e3,.3", check::causes::other_order, "are in the order 23, 13, 12"},
+        Source{"shear_23_doubled", fixed_umat(neo_hookean_weighing("6", "2.D0")), "1e3,.3", check::causes::shear_factor,
+               "component 23 of stress or strain is doubled"},
+        Source{"shear_13_halved", fixed_umat(neo_hookean_weighing("5", "0.5D0")), "1e3,.3", check::causes::shear_factor,
+               "component 13 of stress or strain is halved"},
+        Source{"shear_13_opposite", fixed_umat(neo_hookean_weighing("5", "(-1.D0)")), "1e3,.3",
+               check::causes::wrong_sign, "component 13 of stress or strain is of the wrong sign"},
+        Source{"normals_exchanged",
+               fixed_umat(neo_hookean_in_order("1,1,2", "2,3,3") +
+                          "      STRESS(2:3)=STRESS(3:2:-1)\n      DDSDDE(2:3,:)=DDSDDE(3:2:-1,:)\n"),
+               "1e3,.3", check::causes::other_order, "components 22 and 33 of stress or strain are exchanged"},
+        Source{"increments_of_shear_23_doubled",
+               fixed_umat(moduli + tangent + "      DDSDDE(6,6)=2.D0*G\n      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n"),
+               "1e3,.3", check::causes::shear_factor, "component 23 of stress or strain is doubled"},
+        Source{"increments_of_shear_13_opposite",
+               fixed_umat(moduli + tangent + "      DDSDDE(5,5)=-G\n      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n"),
+               "1e3,.3", check::causes::wrong_sign, "component 13 of stress or strain is of the wrong sign"},
         Source{"cut_off_in_tension",
                fixed_umat(moduli + tangent +
                           "      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n"

@@ -10,8 +10,7 @@
 #include "harness/check/battery.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 #include "tests/harness/builtin_material.hpp"
-#include "tests/harness/check/crystal_law.hpp"
-#include "tests/harness/check/mutants.hpp"
+#include "tests/harness/check/model_table.hpp"
 #include "tests/harness/jaumann_material.hpp"
 
 namespace assay::check::test_turned_reference {
@@ -64,13 +63,37 @@ TEST(TurnedReference, IsSaidInOneSentence) {
   EXPECT_NE(said->find(" rad about ("), std::string::npos) << *said;
   EXPECT_NE(said->find(" the same shear gives a stress that differs by "), std::string::npos) << *said;
   EXPECT_NE(said->find(" % (s"), std::string::npos) << *said;
-  EXPECT_TRUE(said->ends_with("a motion about an axis needs an isotropic model, or one whose direction assay fills in"))
+  EXPECT_TRUE(
+      said->ends_with("a motion about an axis needs an isotropic model, or one whose only direction assay fills in"))
       << *said;
 }
 
-/// Fibres along a direction that the host fills in: any axis of the baseline serves, no other direction does.
+/// Fibres along a direction of the reference configuration, in a neo-Hookean matrix without volume stiffness.
+struct Fibres {
+  static constexpr std::size_t state_size = 3;
+
+  explicit Fibres(const double*) {}
+  std::optional<Tensor> take(const check_tests::PointStep& step, const double* state0, double* state1) const {
+    constexpr double mu = 400, stiffness = 500;
+    const Tensor& F = step.F1;
+    std::copy_n(state0, state_size, state1);
+    const Vector3 a = F * Vector3(state0[0], state0[1], state0[2]);
+    const Tensor tau =
+        mu * (F * F.transpose() - Tensor::Identity()) + stiffness * (a.squaredNorm() - 1) * a * a.transpose();
+    return Tensor(tau / F.determinant());
+  }
+  bool rest(const Tensor&, double* state) const {
+    std::fill_n(state, state_size, 0.0);
+    return true;
+  }
+  void misbehave(std::size_t, double*, double*) const {}
+};
+
+/// Along a direction that the host fills in: any axis of the baseline serves, no other direction does.
 TEST(TurnedReference, OfADirectionIsTheSameAlongTheAxesOfTheBaseline) {
-  const Material& fibres = subject("fibres");
+  static const assay_state_variable state[] = {{"fibre", "1", ASSAY_VECTOR, ASSAY_ROLE_DIRECTION, ""}};
+  static const assay_material table = check_tests::table_of<Fibres>("fibres_of_one_direction", 0, {}, state);
+  const Material fibres(&table, {});
   for (const std::array<double, 3>& direction :
        {std::array{1.0, 0.0, 0.0}, std::array{0.0, 1.0, 0.0}, std::array{0.0, 0.0, -1.0}}) {
     const auto found = turned_reference(fibres, sheared(0.3, direction), end);
@@ -88,6 +111,13 @@ TEST(TurnedReference, OfADirectionIsTheSameAlongTheAxesOfTheBaseline) {
       << "it has no direction";
 }
 
+/// A host derives a second direction from the third axis of the frame, which does not turn with the body.
+TEST(TurnedReference, TellsASecondDirection) {
+  const auto found = turned_reference(subject("fibres"), sheared(0.3, {0, 1, 0}), end);
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->difference, 0.01);
+}
+
 /// Axes about which it is orthotropic: one is the host's, another stays where it is.
 TEST(TurnedReference, TellsASecondAxisBesideTheDirection) {
   const auto cylinder = builtin_material(assay_builtin_orthotropic_cylindrical, {{"E_r", 1000},
@@ -102,6 +132,16 @@ TEST(TurnedReference, TellsASecondAxisBesideTheDirection) {
   const auto found = turned_reference(*cylinder, sheared(0.3), end);
   ASSERT_TRUE(found);
   EXPECT_GT(found->difference, 0.01);
+}
+
+/// A material of the plane 12 is turned about its normal alone.
+TEST(TurnedReference, StaysInThePlaneOfAMaterial) {
+  static assay_material plane = subject("cube").table();
+  plane.flags |= ASSAY_IN_PLANE;
+  const auto found = turned_reference(Material(&plane, subject("cube").named_parameters()), sheared(0.3), end);
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(found->is_isotropic());
+  EXPECT_EQ(found->axis, Vector3::UnitZ());
 }
 
 /// Where no increments are taken, the histories tell why.
