@@ -9,6 +9,7 @@
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
 #include "harness/check/symmetry_class.hpp"
+#include "harness/check/turned_reference.hpp"
 #include "harness/material/thrown.hpp"
 
 namespace assay::drivers {
@@ -120,6 +121,10 @@ ResolvedMaterial resolve_material(const Scene& scene) {
                      "'" + resolved.material.name() + "' has no direction");
   }
   if (directed && !scene.material.direction) resolved.choice.direction = {1.0, 0.0, 0.0};
+  if (scene.motion->turns_its_shear()) {
+    const auto reason = check::reason_against_axis(resolved.material, baseline_path(scene), scene.time.end);
+    if (reason) throw InputError(scene.material.where, "material.adapter", *reason);
+  }
   return resolved;
 }
 

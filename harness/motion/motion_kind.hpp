@@ -102,6 +102,7 @@ class MotionKind {
   virtual bool is_plane() const { return true; }           ///< F13 .. F32 = 0, F33 = 1
   virtual bool is_spatial() const { return !is_plane(); }  ///< tables of it have all components
   virtual bool only_in_space() const { return false; }     ///< there is no plane version of it
+  virtual bool turns_its_shear() const { return false; }   ///< its axes differ from point to point in space
   virtual bool bears_tractions() const { return true; }    ///< on the surface of the body
 
   /// Corners of a square or box unless the scene says otherwise [m].

@@ -245,6 +245,7 @@ class Vortex3dKind final : public MotionOf<Vortex3dKind, Vortex3d> {
   bool is_homogeneous() const override { return false; }
   bool is_plane() const override { return false; }
   bool only_in_space() const override { return true; }
+  bool turns_its_shear() const override { return true; }
   bool bears_tractions() const override { return false; }
 
   void keys(Keys& keys) override {
