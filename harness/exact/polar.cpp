@@ -234,31 +234,6 @@ class PolarInstant final : public ExactInstant {
   std::optional<PolarMeans> means_;
 };
 
-/// At one time, with the parts between the ring's edges and between the fronts of the material.
-class PolarSlice final : public ExactSlice {
- public:
-  PolarSlice(const ExactSolution& solution, double t)
-      : solution_(solution),
-        t_(t),
-        ring_(solution.motion()->polar()->ring()),
-        fronts_(solution.response()->at_time(t)->fronts()) {}
-  ExactPoint at(const Vector3& X) const override { return solution_.at(X, t_); }
-  ExactState state(const Vector3& X) const override { return solution_.state(X, t_); }
-  bool has_parts() const override { return true; }
-  std::size_t part(const Vector3& X) const override {
-    const double R = std::hypot(X.x(), X.y());
-    if (!ring_.holds(R)) return 0;
-    const double xi = ring_parameter(solution_.motion(), R).value;
-    return 1 + static_cast<std::size_t>(std::lower_bound(fronts_.begin(), fronts_.end(), xi) - fronts_.begin());
-  }
-
- private:
-  const ExactSolution& solution_;
-  double t_;
-  Annulus ring_;
-  std::vector<double> fronts_;  ///< xi
-};
-
 class PolarSolution final : public ExactSolution {
  public:
   PolarSolution(const Motion& motion, double density, std::shared_ptr<const Response> response)
@@ -287,7 +262,7 @@ class PolarSolution final : public ExactSolution {
     return found;
   }
 
-  std::unique_ptr<const ExactSlice> slice(double t) const override { return std::make_unique<PolarSlice>(*this, t); }
+  std::unique_ptr<const ExactSlice> slice(double t) const override { return slice_of_ring(*this, t); }
   std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const override {
     return std::make_unique<PolarInstant>(motion_, density_, response_, points, asked);
   }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "harness/exact/exact_fields.hpp"
 #include "harness/motion/ring_kinematics.hpp"
 
 namespace assay {
@@ -26,6 +27,9 @@ Polar divergence_piola(const RingProfile& profile, double g, double R, const Ten
 /// term + R g'' h [m/s^2]; zero outside the ring.
 Polar body_force(const RingProfile& profile, const AmplitudeValue& g, double density, double R, const Tensor& tau,
                  const Tensor& dtau_dxi);
+
+/// The slice of a polar solution: its parts lie between the ring's edges and between the fronts of the material.
+std::unique_ptr<const ExactSlice> slice_of_ring(const ExactSolution& solution, double t);
 
 /// Fixed reference points of a ring, grouped by radius: what depends on R alone is computed once for each radius.
 struct RingPoints {
