@@ -90,7 +90,12 @@ std::optional<TurnedReference> turned_reference(const Material& material, const 
   constexpr double falls = 0.25;  // as of other tests that compare two frames
   const std::vector<Orientation> all = orientations_of(material);
   const auto in = [&](int count, const std::vector<Orientation>& some) -> std::optional<TurnedReference> {
-    return if_taken([&] { return std::optional(found_in(material, path, end, count, some)); }, std::nullopt);
+    try {
+      return found_in(material, path, end, count, some);
+    } catch (const MaterialFailure& failure) {
+      if (failure.final) throw;
+      return std::nullopt;
+    }
   };
   int count = increments;
   std::optional<TurnedReference> found;

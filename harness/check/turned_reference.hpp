@@ -31,7 +31,7 @@ struct TurnedReference {
 /// Takes the material from rest to `end` [s] along the baseline of the largest |xi|, and along the same one turned as a
 /// whole, F' = R F R^T, with the material's direction, as a host fills it in, in as many increments. In three
 /// orientations, those of a material of the plane 12 about its normal. Nothing where the material takes no increments
-/// of that length: its histories then tell why. Throws as initial_state does.
+/// of that length: its histories then tell why. Throws as initial_state does, and MaterialFailure where it is final.
 std::optional<TurnedReference> turned_reference(const Material& material, const Path& path, double end);
 
 /// Why the baseline does not tell the response of a body that moves about an axis, in one sentence: the material is not

@@ -155,6 +155,13 @@ TEST(TurnedReference, IsNotKnownOfAModelThatRefusesTheBaseline) {
   const Material material(&refusing, {});
   EXPECT_EQ(turned_reference(material, sheared(0.3), end), std::nullopt);
   EXPECT_EQ(reason_against_axis(material, sheared(0.3), end), std::nullopt);
+  static const assay_material gone = [] {
+    assay_material t = refusing;
+    t.update = [](void*, const assay_step*, std::size_t n, const double*, double*, double*, std::int32_t* status,
+                  double* dt_factor, char*) { std::fill_n(status, n, std::int32_t{ASSAY_FAILED}), *dt_factor = 0; };
+    return t;
+  }();
+  EXPECT_THROW(turned_reference(Material(&gone, {}), sheared(0.3), end), MaterialFailure);
 }
 
 }  // namespace
