@@ -116,8 +116,10 @@ TEST(Vortex3dScenes, OneThatIsPlaneOrHasAMethodIsRefused) {
 }
 
 TEST(Vortex3dScenes, AModelWithAxesOfItsOwnIsRefused) {
-  expect_refused("  amplitude: {peak: 0.1}\n", "not isotropic",
-                 "material: {adapter: orthotropic_cylindrical, density: 1000}\n");
+  expect_refused(
+      "  amplitude: {peak: 0.1}\n", "not isotropic",
+      "material: {adapter: orthotropic_cylindrical, density: 1000, parameters: {E_r: 1000, E_t: 1500, E_z: 700, "
+      "nu_rt: 0.2, nu_rz: 0.25, nu_tz: 0.3, G_rt: 350, G_rz: 300, G_tz: 400}}\n");
 }
 
 }  // namespace

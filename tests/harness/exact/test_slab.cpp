@@ -6,46 +6,13 @@
 #include "harness/exact/exact_fields.hpp"
 #include "harness/motion/kinds/twisting_ring.hpp"
 #include "harness/numeric/central_difference.hpp"
-#include "tests/harness/check/model_table.hpp"
+#include "tests/harness/fibre_material.hpp"
 
 namespace assay::test_slab {
 namespace {
 
 constexpr double density = 1000, step = 2e-3;
 constexpr double of_stress = 1e-11, of_force = 1e-8, matters = 1e-2;
-
-/// A fibre in a neo-Hookean matrix.
-struct Fibre {
-  static constexpr std::size_t state_size = 3;
-  explicit Fibre(const double*) {}
-
-  static Tensor kirchhoff(const Tensor& F, const Vector3& direction) {
-    constexpr double mu = 400, lambda = 600, stiffness = 500;
-    const Vector3 a = F * direction;
-    return (lambda * std::log(F.determinant()) - mu) * Tensor::Identity() + mu * F * F.transpose() +
-           stiffness * (a.squaredNorm() - 1) * a * a.transpose();
-  }
-
-  static std::optional<Tensor> take(const check_tests::PointStep& at, const double* before, double* after) {
-    std::copy_n(before, state_size, after);
-    return kirchhoff(at.F1, Vector3(before[0], before[1], before[2])) / at.F1.determinant();
-  }
-  static bool rest(const Tensor& cauchy, double* state) {
-    std::fill_n(state, state_size, 0.0);
-    return cauchy.isZero(0);
-  }
-  void misbehave(std::size_t, double*, double*) const {}
-};
-
-std::shared_ptr<const Material> fibre() {
-  static const assay_state_variable state[] = {{"fibre", "1", ASSAY_VECTOR, ASSAY_ROLE_DIRECTION, "direction"}};
-  static const assay_material table = [] {
-    assay_material t = check_tests::table_of<Fibre>("fibre_for_tests", 0, std::span<const assay_parameter>(), state);
-    t.symmetry = ASSAY_ANISOTROPIC;
-    return t;
-  }();
-  return std::make_shared<const Material>(&table, std::map<std::string, double>());
-}
 
 /// Components along e_R, e_Theta, e_Z.
 const Vector3 tilted = Vector3(2, 1, 2) / 3;
@@ -62,7 +29,7 @@ TEST(Slab, ADirectionOutOfThePlaneGivesTheBodyForceAThirdComponent) {
   for (const Motion& motion : {Motion(vortex), Motion(TwistingRing{vortex, 0.05})}) {
     Path path = motion->baseline();
     path.material_direction = {tilted.x(), tilted.y(), tilted.z()};
-    const Sheet sheet(*fibre(), path, {.tolerance = 1e-11, .end = 1});
+    const Sheet sheet(*fibre_material(), path, {.tolerance = 1e-11, .end = 1});
     const auto exact = exact_polar(motion, density, std::make_shared<const Response>(sheet));
     for (const Vector3& X : {Vector3(0.7, 0.6, 0.3), Vector3(-0.3, 1.05, -2), Vector3(0.9, -0.1, 0)}) {
       const double t = 0.4;
