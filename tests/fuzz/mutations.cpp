@@ -96,6 +96,8 @@ Loose value_for(const drivers::Key& key, Dice& dice) {
       return numbers(2, key.range, dice);
     case vector:
       return numbers(3, key.range, dice);
+    case pair_or_vector:
+      return numbers(dice.one_in(2) ? 2 : 3, key.range, dice);
     case matrix: {
       Loose rows = numbers(0, key.range, dice);
       for (std::size_t row = 0; row < 3; ++row) rows.items.push_back(numbers(3, key.range, dice));
