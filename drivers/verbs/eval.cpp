@@ -127,9 +127,7 @@ std::string hint_of(const EvalOptions& options) {
 Act add_eval_arguments(VerbArguments& verb) {
   const auto given = std::make_shared<EvalOptions>();
   add_scene(verb, *given);
-  add_value(verb, "--points", given->points, "CSV",
-            "reference points, columns X,Y,t; with Z, NX,NY,NZ, HX,HY,HZ where wanted")
-      ->required();
+  add_value(verb, "--points", given->points, "CSV", "reference points, columns X,Y,t and more")->required();
   add_out(verb, given->out, "CSV", "file for the table (default: standard output)");
   return act_of(given, eval);
 }

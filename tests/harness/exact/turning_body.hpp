@@ -3,7 +3,10 @@
 // stress of the point's own history in Cartesian axes, its divergence by differences. Nothing of a baseline is used.
 #pragma once
 
+#include <cmath>
 #include <complex>
+#include <numbers>
+#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -138,6 +141,64 @@ class BruteForce {
   Amplitude amplitude_;
   std::shared_ptr<const Material> material_;
   double density_, step_;
+};
+
+inline std::vector<Revolution> shapes(int power, const Vector3& axis, const Vector3& center) {
+  Revolution ball{.radius = 1, .profile_power = power, .axis = axis, .center = center};
+  Revolution torus = ball, drum = ball;
+  torus.profile = Revolution::Profile::torus, torus.ring_radius = 0.6, torus.radius = 0.35;
+  drum.profile = Revolution::Profile::drum, drum.height = 0.7, drum.height_power = power == 2 ? 3 : power;
+  drum.strength = -0.8;
+  return {ball, torus, drum};
+}
+
+inline std::string name_of(const Revolution& r) { return names_of(r.profile)[static_cast<std::size_t>(r.profile)]; }
+
+/// Random places in the body, on its axis, on the circles where Grad h = 0, on its edge.
+inline std::vector<Vector3> places_in(const Revolution& r, int random, unsigned seed) {
+  const Vector3 n = r.axis.normalized(), e = n.unitOrthogonal(), f = n.cross(e);
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> share(0, 1);
+  const auto place = [&](double R, double Z) {
+    const double angle = 2 * std::numbers::pi * share(generator);
+    return Vector3(r.center + R * (std::cos(angle) * e + std::sin(angle) * f) + Z * n);
+  };
+  std::vector<Vector3> places;
+  const auto [wide, high] = r.reach();
+  while (static_cast<int>(places.size()) < random) {
+    const double R = wide * share(generator), Z = high * (2 * share(generator) - 1);
+    if (r.at(R, Z)) places.push_back(place(R, Z));
+  }
+  const double a = r.radius;
+  switch (r.profile) {
+    case Revolution::Profile::ball:
+      for (const double Z : {0.0, 0.4, -0.9}) places.push_back(place(0, Z));
+      for (const double angle : {0.0, 0.5, 1.2}) places.push_back(place(a * std::cos(angle), a * std::sin(angle)));
+      break;
+    case Revolution::Profile::torus:
+      for (int k = 0; k < 3; ++k) places.push_back(place(*r.ring_radius, 0));
+      places.push_back(place(*r.ring_radius + 1e-6, -2e-6));
+      for (const double angle : {0.0, 1.1, 3.0})
+        places.push_back(place(*r.ring_radius + a * std::cos(angle), a * std::sin(angle)));
+      break;
+    case Revolution::Profile::drum:
+      for (const double Z : {0.0, 0.3, -0.69}) places.push_back(place(0, Z));
+      places.push_back(place(1e-6, 1e-6));
+      for (const double Z : {0.0, 0.4}) places.push_back(place(a, Z));
+      for (const double R : {0.2, 0.8}) places.push_back(place(R, *r.height));
+      break;
+  }
+  return places;
+}
+
+/// Largest deviations and largest values over some points.
+struct Largest {
+  double deviation = 0, value = 0;
+  void see(const auto& found, const auto& wanted) {
+    deviation = std::max(deviation, (found - wanted).norm());
+    value = std::max(value, wanted.norm());
+  }
+  double relative() const { return deviation / value; }
 };
 
 }  // namespace assay::turning_body

@@ -7,6 +7,7 @@
 #include "harness/motion/kinds/rotating_stretch.hpp"
 #include "harness/motion/kinds/twisting_ring.hpp"
 #include "harness/motion/kinds/vortex.hpp"
+#include "harness/motion/kinds/vortex3d.hpp"
 #include "harness/motion/registry.hpp"
 
 #include <gtest/gtest.h>
@@ -52,6 +53,7 @@ std::vector<std::pair<std::string, Motion>> chosen() {
           {"axis_aligned", box},
           {"axis_aligned in space", space},
           {"bar_1d", bar},
+          {"vortex3d", Vortex3d{{.radius = 1.4, .axis = {1, 2, 3}}, {}, {Amplitude::Type::one_minus_cosine, 0.9, 1.3}}},
           {"rigid", Rigid{{0.4, -0.3, 0.2}, 1.7, {1, 2, 3}, 1}}};
 }
 
@@ -155,7 +157,12 @@ TEST(Motion, BaselineStretchesAsTheMotionDoes) {
         parameter = std::cos(M_PI * X.x());
         path = box->section(std::cos(M_PI * X.y()), std::cos(M_PI * X.z()));
       }
-      const Tensor q = ring_of(motion) ? rotation_about_z(std::atan2(X.y(), X.x())) : Tensor(Tensor::Identity());
+      Tensor q = ring_of(motion) ? rotation_about_z(std::atan2(X.y(), X.x())) : Tensor(Tensor::Identity());
+      if (const auto* vortex = motion.as<Vortex3d>()) {
+        const auto point = vortex->place(X);
+        parameter = point ? point->xi : 0;
+        if (point) q = point->axes();
+      }
       const Tensor F = motion->at(X, t).F * q, B = path.deformation_gradient(parameter, t);
       EXPECT_LT((F.transpose() * F - B.transpose() * B).norm(), 1e-13) << name;
       const double h = difference_step;
@@ -169,7 +176,7 @@ TEST(Motion, KnowsWhatItHas) {
   for (const auto& [who, motion] : chosen()) {
     EXPECT_EQ(ring_of(motion).has_value(), who == "vortex" || who == "twisting_ring") << who;
     EXPECT_EQ(motion->amplitude() != nullptr,
-              who == "vortex" || who == "twisting_ring" || who.starts_with("axis_aligned") || who == "bar_1d")
+              who.starts_with("vortex") || who == "twisting_ring" || who.starts_with("axis_aligned") || who == "bar_1d")
         << who;
   }
   for (const auto& [who, motion] : motions()) {
