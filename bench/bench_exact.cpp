@@ -67,6 +67,26 @@ void at_points(benchmark::State& state, const std::string& text, bool in_space) 
   state.SetItemsProcessed(static_cast<std::int64_t>(n) * state.iterations());
 }
 
+/// The same of the plane vortex as a run asks for it, through an instant of registered points.
+void in_instant(benchmark::State& state, const std::string& text) {
+  constexpr std::size_t n = 10'000;
+  const auto exact = solution(text, false);
+  std::vector<double> X, Y, b_x(n), b_y(n);
+  for (const Vector3& at : points_of(false, n)) X.push_back(at.x()), Y.push_back(at.y());
+  const auto now = exact->instant({X, Y}, {.motion = true, .stress = true, .inertia = true, .force = true});
+  double t = 0.4;
+  for (auto _ : state) {
+    now->set_time(t += 1e-6);
+    now->body_force(b_x, b_y);
+    for (std::size_t p = 0; p < n; ++p) {
+      benchmark::DoNotOptimize(now->state(p));
+      benchmark::DoNotOptimize(now->inertia(p));
+      benchmark::DoNotOptimize(now->first_piola_kirchhoff(p));
+    }
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(n) * state.iterations());
+}
+
 /// Means of b over the cubes of a lattice in the ball.
 void means_in_ball(benchmark::State& state, const std::string& text) {
   constexpr double edge = 1.0 / 16;
@@ -103,6 +123,8 @@ BENCHMARK_CAPTURE(at_points, plane_neo_hookean, elastic, false);
 BENCHMARK_CAPTURE(at_points, ball_neo_hookean, elastic, true);
 BENCHMARK_CAPTURE(at_points, plane_j2, plastic, false);
 BENCHMARK_CAPTURE(at_points, ball_j2, plastic, true);
+BENCHMARK_CAPTURE(in_instant, plane_neo_hookean, elastic);
+BENCHMARK_CAPTURE(in_instant, plane_j2, plastic);
 BENCHMARK_CAPTURE(means_in_ball, neo_hookean, elastic)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(means_in_ball, j2, plastic)->Unit(benchmark::kMillisecond);
 BENCHMARK(million_points)->Unit(benchmark::kMillisecond)->Iterations(1);
