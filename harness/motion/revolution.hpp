@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shape of a vortex in three dimensions: a body of revolution, and the profile h of its angle.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "harness/motion/motion_kind.hpp"
+
+namespace assay {
+
+/// A profile h(R, Z) of revolution at a place, with its derivatives in the meridian plane.
+struct MeridianProfile {
+  double h = 0;                         ///< [1]
+  double h_R_by_R = 0;                  ///< h_R/R, also on the axis [1/m^2]
+  double h_Z = 0;                       ///< [1/m]
+  double h_RR = 0, h_RZ = 0, h_ZZ = 0;  ///< [1/m^2]
+};
+
+/// The shape of a vortex. With s^2 < 1 inside the body, h = (1 - s^2)^m:
+///   ball   s^2 = (R^2 + Z^2)/a^2            radius a
+///   torus  s^2 = ((R - R0)^2 + Z^2)/w^2     ring_radius R0, radius w
+///   drum   h = (1 - R^2/a^2)^m (1 - Z^2/c^2)^k    radius a, height c, half of the whole
+struct Revolution {
+  enum class Profile { ball, torus, drum };
+  friend constexpr std::array<const char*, 3> names_of(Profile) { return {"ball", "torus", "drum"}; }
+
+  Profile profile = Profile::ball;
+  double radius = 1;                       ///< a; of a torus w [m]
+  std::optional<double> ring_radius = {};  ///< R0 [m]
+  std::optional<double> height = {};       ///< c [m]
+  static constexpr int usual_power = 4;
+  int profile_power = usual_power;       ///< m
+  std::optional<int> height_power = {};  ///< k
+  Vector3 axis{0, 0, 1};                 ///< not zero; its length does not matter
+  Vector3 center{0, 0, 0};               ///< on the axis [m]
+  double strength = 1;                   ///< factor of h, of either sign [1]
+
+  /// alone: not shown in a scene that is written in full where a list of vortices takes its place.
+  void keys(auto& key, bool alone = true) {
+    const bool is_torus = alone && profile == Profile::torus, is_drum = alone && profile == Profile::drum;
+    key("profile", "shape of the vortex, a body of revolution about its axis", profile, {.shown = alone});
+    key("radius", "radius a of a ball or drum; of a torus the radius w of its section [m]", radius,
+        {.range = positive, .shown = alone});
+    key("ring_radius", "radius R0 of the circle in the middle of a torus, more than its radius [m]", ring_radius,
+        {.range = positive, .derived = "none: required of a torus, which alone has it", .shown = is_torus});
+    key("height", "half the height of a drum, c [m]", height,
+        {.range = positive, .derived = "none: required of a drum, which alone has it", .shown = is_drum});
+    profile_power_key(key, profile_power, alone);
+    key("height_power", "k of a drum's profile (1 - R^2/a^2)^m (1 - Z^2/c^2)^k", height_power,
+        {.range = profile_powers, .derived = "4 of a drum, which alone has it", .shown = is_drum});
+    axis_key(key, axis, alone);
+    key("center", "point on the axis, in the middle of the vortex [m]", center, {.shown = alone});
+    key("strength", "factor of the angle against that of the amplitude, of either sign [1]", strength,
+        {.shown = alone});
+  }
+
+  /// R: distance from the axis, Z: along it from the centre [m]. Absent outside; on the edge the limit from inside.
+  std::optional<MeridianProfile> at(double R, double Z) const;
+
+  /// What is positive inside, 0 on the edge, and falls outwards [1]; X in space [m].
+  double depth(const Vector3& X) const;
+
+  /// Half the size of a box around the meridian section, along R from the axis and along Z [m].
+  std::array<double, 2> reach() const;
+
+  /// Whether b is smooth across the edge, to be integrated as if there were none: powers of 4 and more.
+  bool has_smooth_edge() const;
+};
+
+/// The largest xi = R |Grad h|/2 in the body.
+double largest_xi_of(const Revolution& vortex);
+
+/// A point that lies in both [m]; absent where they are disjoint, or touch.
+std::optional<Vector3> common_point(const Revolution& a, const Revolution& b);
+
+void fields(auto& archive, Revolution& r) {
+  archive(r.profile, r.radius, r.ring_radius, r.height, r.profile_power, r.height_power, r.axis, r.center, r.strength);
+}
+
+}  // namespace assay
