@@ -34,8 +34,8 @@ struct MaterialChoice {
          .derived = "of the material's description; required where it has none",
          .shown = density > 0});
     key("direction",
-        "axis of the model, any length; components on e_R, e_Theta, e_Z in the vortex, else on the coordinate "
-        "axes",
+        "axis of the model, any length; components on e_R, e_Theta, e_Z in the vortex, N, e_Theta, "
+        "M in vortex3d, else on the coordinate axes",
         direction, {.derived = "[1, 0, 0] of a model that has one"});
     key("isolation", "where the model's code runs: in worker processes (worker) or in the process of assay (none)",
         isolation,

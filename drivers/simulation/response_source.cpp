@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 #include "drivers/simulation/sheet_cache.hpp"
 #include "drivers/system/interrupt.hpp"
@@ -155,27 +154,6 @@ void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>
 ExactSolutionPtr exact_solution_of_points(const Scene& scene, const std::shared_ptr<const Material>& material,
                                           double end, bool quiet) {
   return as_seen(scene, exact_solution_at_points(scene, material, end, quiet));
-}
-
-std::vector<BoxForce> box_forces(const ExactSolution& exact, double density, const std::vector<ReferencePoint>& points,
-                                 bool in_space) {
-  std::map<double, std::vector<std::size_t>> by_time;
-  for (std::size_t i = 0; i < points.size(); ++i) by_time[points[i].t].push_back(i);
-  std::vector<BoxForce> found(points.size());
-  for (const auto& [t, some] : by_time) {
-    std::vector<std::array<Vector3, 8>> boxes;
-    for (const std::size_t i : some) {
-      const ReferencePoint& point = points[i];
-      const Vector3 middle(point.X, point.Y, in_space ? point.Z : 0);
-      const Vector3 half(point.HX, point.HY, in_space ? point.HZ : 0.5);
-      boxes.push_back(boxes_around(std::array{middle}, half).front());
-    }
-    const HexahedronAverage average(Hexahedra(boxes), density);
-    const auto forces = average.at(*exact.slice(t));
-    for (std::size_t k = 0; k < some.size(); ++k) found[some[k]] = {forces[k], average.volume(k)};
-    stop_if_interrupted();
-  }
-  return found;
 }
 
 std::vector<ExactPoint> exact_points(const ExactSolution& exact, const std::vector<ReferencePoint>& points,

@@ -13,7 +13,6 @@
 #include "drivers/scene/scene.hpp"
 #include "drivers/system/progress.hpp"
 #include "harness/exact/exact_fields.hpp"
-#include "harness/exact/hexahedra.hpp"
 #include "harness/sheet/sheet.hpp"
 
 namespace assay::drivers {
@@ -49,16 +48,6 @@ std::vector<ExactPoint> exact_points(const ExactSolution& exact, const std::vect
 /// sees it. Throws InputError, MaterialFailure, Interrupted. quiet: no terminal shows how far it is.
 ExactSolutionPtr exact_solution_of_points(const Scene& scene, const std::shared_ptr<const Material>& material,
                                           double end, bool quiet = true);
-
-/// b over the box of a point.
-struct BoxForce {
-  DomainForce acts;
-  double volume = 0;  ///< in the plane of a thickness of 1 m [m^3]
-};
-
-/// Of points that all have a box, in their order. density: rho0 [kg/m^3].
-std::vector<BoxForce> box_forces(const ExactSolution& exact, double density, const std::vector<ReferencePoint>& points,
-                                 bool in_space);
 
 // What a terminal shows while a sheet is made, and what is said before a long one.
 

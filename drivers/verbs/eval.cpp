@@ -13,6 +13,7 @@
 #include "drivers/format/yaml_writer.hpp"
 #include "drivers/output/points_csv.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/box_forces.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/warnings.hpp"
@@ -91,6 +92,7 @@ std::string evaluated(const EvalOptions& options) {
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
   const bool three = scene.dimension == 3 || scene.motion->is_spatial();
   require_boxes_in_space(points, three, options.points);
+  if (points.has_boxes) require_boxes(scene.motion, points.points, three, options.points);
   const auto solution = exact_solution_of_points(scene, material, end, quiet);
   const std::vector<ExactPoint> exact = exact_points(*solution, points.points, quiet);
   std::vector<BoxForce> over_boxes;

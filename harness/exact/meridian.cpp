@@ -92,7 +92,7 @@ class MeridianSlice final : public ExactSlice {
     const double xi = p ? p->xi : 0;
     const auto fronts =
         static_cast<std::size_t>(std::lower_bound(fronts_.begin(), fronts_.end(), xi) - fronts_.begin());
-    return 2 * fronts + (has_edge_ && p ? 1 : 0);
+    return has_edge_ && p ? fronts + (fronts_.size() + 1) * (p->vortex + 1) : fronts;
   }
 
  private:

@@ -3,7 +3,9 @@
 // nowhere else.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -60,6 +62,9 @@ inline void period_key(Keys& keys, double& period) {
 /// Of m = 1 a body's faces would need tractions.
 inline constexpr Range profile_powers{.lower = 2, .upper = 64, .whole = true};
 
+/// Over which (1 - s^2)^m changes where s goes from 0 to 1 on that way [m].
+inline double profile_length(double way, int power) { return way * std::min(1.0, 2 / std::sqrt(power)); }
+
 inline void profile_power_key(Keys& keys, int& power, bool shown = true) {
   keys("profile_power", "m of the profile h = (1 - s^2)^m; m = 1 is excluded: the body's faces would need tractions",
        power, {.range = profile_powers, .derived = "2 in the plane, 4 of vortex3d", .shown = shown});
@@ -102,6 +107,7 @@ class MotionKind {
   virtual bool is_plane() const { return true; }           ///< F13 .. F32 = 0, F33 = 1
   virtual bool is_spatial() const { return !is_plane(); }  ///< tables of it have all components
   virtual bool only_in_space() const { return false; }     ///< there is no plane version of it
+  virtual double length() const { return HUGE_VAL; }       ///< over which F changes its course [m]
   virtual bool turns_its_shear() const { return false; }   ///< its axes differ from point to point in space
   virtual bool bears_tractions() const { return true; }    ///< on the surface of the body
 

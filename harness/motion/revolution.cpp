@@ -80,6 +80,12 @@ std::array<double, 2> Revolution::reach() const {
           profile == Profile::drum ? height.value_or(radius) : radius};
 }
 
+double Revolution::length() const {
+  const double along_R = profile_length(radius, profile_power);
+  if (profile != Profile::drum) return along_R;
+  return std::min(along_R, profile_length(height.value_or(radius), height_power.value_or(usual_power)));
+}
+
 bool Revolution::has_smooth_edge() const {
   constexpr int smooth = 4;
   return profile_power >= smooth && (profile != Profile::drum || height_power.value_or(usual_power) >= smooth);
@@ -89,8 +95,9 @@ bool Revolution::has_smooth_edge() const {
 double largest_xi_of(const Revolution& r) {
   constexpr int looks = 64;
   constexpr double shortest = 1e-9;  // of the size; of xi that is the square of it
-  const auto [wide, high] = r.reach();
-  double best = 0, R = 0, Z = 0;
+  const auto [outer, high] = r.reach();
+  const double inner = r.profile == Revolution::Profile::torus ? outer - 2 * r.radius : 0, wide = outer - inner;
+  double best = 0, R = inner, Z = 0;
   const auto climb = [&](double at_R, double at_Z) {
     const auto p = at_R < 0 ? std::nullopt : r.at(at_R, at_Z);
     const double xi = p ? 0.5 * at_R * std::hypot(at_R * p->h_R_by_R, p->h_Z) : 0;
@@ -99,7 +106,7 @@ double largest_xi_of(const Revolution& r) {
     return true;
   };
   for (int i = 0; i <= looks; ++i) {
-    for (int j = 0; j <= looks; ++j) climb(wide * i / looks, high * j / looks);
+    for (int j = 0; j <= looks; ++j) climb(inner + wide * i / looks, high * j / looks);
   }
   for (double step = 1.0 / looks; step > shortest;) {
     const double R0 = R, Z0 = Z;

@@ -22,6 +22,8 @@ struct MeridianProfile {
 ///   torus  s^2 = ((R - R0)^2 + Z^2)/w^2     ring_radius R0, radius w
 ///   drum   h = (1 - R^2/a^2)^m (1 - Z^2/c^2)^k    radius a, height c, half of the whole
 struct Revolution {
+  /// Within these the fourth powers of ratios are numbers [m].
+  static constexpr Range sizes{.lower = 1e-50, .upper = 1e50};
   enum class Profile { ball, torus, drum };
   friend constexpr std::array<const char*, 3> names_of(Profile) { return {"ball", "torus", "drum"}; }
 
@@ -41,11 +43,11 @@ struct Revolution {
     const bool is_torus = alone && profile == Profile::torus, is_drum = alone && profile == Profile::drum;
     key("profile", "shape of the vortex, a body of revolution about its axis", profile, {.shown = alone});
     key("radius", "radius a of a ball or drum; of a torus the radius w of its section [m]", radius,
-        {.range = positive, .shown = alone});
+        {.range = sizes, .shown = alone});
     key("ring_radius", "radius R0 of the circle in the middle of a torus, more than its radius [m]", ring_radius,
-        {.range = positive, .derived = "none: required of a torus, which alone has it", .shown = is_torus});
+        {.range = sizes, .derived = "none: required of a torus, which alone has it", .shown = is_torus});
     key("height", "half the height of a drum, c [m]", height,
-        {.range = positive, .derived = "none: required of a drum, which alone has it", .shown = is_drum});
+        {.range = sizes, .derived = "none: required of a drum, which alone has it", .shown = is_drum});
     profile_power_key(key, profile_power, alone);
     key("height_power", "k of a drum's profile (1 - R^2/a^2)^m (1 - Z^2/c^2)^k", height_power,
         {.range = profile_powers, .derived = "4 of a drum, which alone has it", .shown = is_drum});
@@ -63,6 +65,9 @@ struct Revolution {
 
   /// Half the size of a box around the meridian section, along R from the axis and along Z [m].
   std::array<double, 2> reach() const;
+
+  /// Over which h changes its course [m].
+  double length() const;
 
   /// Whether b is smooth across the edge, to be integrated as if there were none: powers of 4 and more.
   bool has_smooth_edge() const;

@@ -101,6 +101,7 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
   std::string_view type() const override { return m.one_dimensional ? "bar_1d" : "axis_aligned"; }
   double period() const override { return m.amplitude.period; }
   bool is_homogeneous() const override { return false; }
+  double length() const override { return 0.5; }  // from a symmetry plane to where cos(pi X) = 0
   const Amplitude* amplitude() const override { return &m.amplitude; }
   bool is_plane() const override { return m.s().z() == 0; }
   std::array<double, 2> usual_lower() const override { return {0, 0}; }

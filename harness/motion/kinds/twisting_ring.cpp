@@ -58,6 +58,7 @@ class TwistingRingKind final : public MotionOf<TwistingRingKind, TwistingRing>, 
   double period() const override { return m.period(); }
   const Amplitude* amplitude() const override { return &m.twist.amplitude; }
   const PolarMotion* polar() const override { return this; }
+  double length() const override { return m.twist.length(); }
 
   Annulus ring() const override { return {m.inner(), m.outer()}; }
   const Amplitude& turn() const override { return m.twist.amplitude; }

@@ -135,6 +135,7 @@ class VortexKind final : public MotionOf<VortexKind, Vortex>, public PolarMotion
   double period() const override { return m.amplitude.period; }
   const Amplitude* amplitude() const override { return &m.amplitude; }
   bool bears_tractions() const override { return false; }
+  double length() const override { return m.length(); }
   const PolarMotion* polar() const override { return this; }
 
   Annulus ring() const override { return {m.inner, m.outer}; }

@@ -26,6 +26,9 @@ struct Vortex {
   /// rho = R, alpha = g h, at a radius.
   RingKinematics ring(double R, double t) const { return RingKinematics::turned(R, profile(R), amplitude.at(t)); }
 
+  /// Over which the profile changes: half the width of the ring, less of a high power [m].
+  double length() const { return profile_length(0.5 * (outer - inner), profile_power); }
+
   /// Smallest and largest xi in the ring.
   Interval xi_range() const;
 

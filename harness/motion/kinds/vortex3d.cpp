@@ -11,16 +11,7 @@
 
 namespace assay {
 
-Tensor MeridianPoint::rotation(double alpha) const {
-  const double cosine = std::cos(alpha), sine = std::sin(alpha);
-  Tensor Q = (1 - cosine) * E_Z * E_Z.transpose();
-  Q.diagonal().array() += cosine;
-  const Vector3 n = sine * E_Z;
-  Q(0, 1) -= n.z(), Q(1, 0) += n.z();
-  Q(0, 2) += n.y(), Q(2, 0) -= n.y();
-  Q(1, 2) -= n.x(), Q(2, 1) += n.x();
-  return Q;
-}
+Tensor MeridianPoint::rotation(double alpha) const { return Eigen::AngleAxisd(alpha, E_Z).toRotationMatrix(); }
 
 Tensor MeridianPoint::axes() const {
   const Vector3 E_R = R > 0 ? Vector3(radial / R) : E_Z.unitOrthogonal();
@@ -30,8 +21,11 @@ Tensor MeridianPoint::axes() const {
 }
 
 std::optional<MeridianPoint> Vortex3d::place(const Vector3& X) const {
-  for (const Revolution& vortex : all()) {
+  const std::span<const Revolution> vortices_here = all();
+  for (std::size_t k = 0; k < vortices_here.size(); ++k) {
+    const Revolution& vortex = vortices_here[k];
     MeridianPoint p;
+    p.vortex = k;
     p.center = vortex.center;
     p.E_Z = unit_along(vortex.axis);
     const Vector3 from = X - p.center;
@@ -109,6 +103,11 @@ class Vortex3dKind final : public MotionOf<Vortex3dKind, Vortex3d> {
   bool only_in_space() const override { return true; }
   bool turns_its_shear() const override { return true; }
   bool bears_tractions() const override { return false; }
+  double length() const override {
+    double shortest = HUGE_VAL;
+    for (const Revolution& vortex : m.all()) shortest = std::min(shortest, vortex.length());
+    return shortest;
+  }
 
   void keys(Keys& keys) override {
     m.one.keys(keys, m.vortices.empty());

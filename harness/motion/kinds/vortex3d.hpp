@@ -14,13 +14,14 @@ namespace assay {
 /// A point of a vortex, in the meridian plane through it.
 struct MeridianPoint {
   MeridianProfile profile;
-  double R = 0;         ///< distance from the axis [m]
-  double G = 0;         ///< |k|, k = Grad h = G N [1/m]
-  double c = 1, s = 0;  ///< N = c E_R + s E_Z; where G = 0, E_R
-  double xi = 0;        ///< R G/2 [1]
-  Vector3 center, E_Z;  ///< of the vortex [m], [1]
-  double Z = 0;         ///< along the axis, from the centre [m]
-  Vector3 radial;       ///< R E_R [m]
+  std::size_t vortex = 0;  ///< that holds it
+  double R = 0;            ///< distance from the axis [m]
+  double G = 0;            ///< |k|, k = Grad h = G N [1/m]
+  double c = 1, s = 0;     ///< N = c E_R + s E_Z; where G = 0, E_R
+  double xi = 0;           ///< R G/2 [1]
+  Vector3 center, E_Z;     ///< of the vortex [m], [1]
+  double Z = 0;            ///< along the axis, from the centre [m]
+  Vector3 radial;          ///< R E_R [m]
 
   Vector3 around() const { return E_Z.cross(radial); }                                ///< R E_Theta [m]
   Vector3 gradient() const { return profile.h_R_by_R * radial + profile.h_Z * E_Z; }  ///< k [1/m]

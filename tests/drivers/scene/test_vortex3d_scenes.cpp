@@ -122,5 +122,27 @@ TEST(Vortex3dScenes, AModelWithAxesOfItsOwnIsRefused) {
       "nu_rt: 0.2, nu_rz: 0.25, nu_tz: 0.3, G_rt: 350, G_rz: 300, G_tz: 400}}\n");
 }
 
+/// Whatever the amplitude, an isotropic model is one: neither rounding nor a stress without bounds is compared.
+TEST(Vortex3dScenes, AnIsotropicModelIsTakenAtAnyAmplitude) {
+  const std::string mooney =
+      "material: {adapter: mooney_rivlin, parameters: {c10: 120, c01: 60, bulk_modulus: 900}, density: 1000}\n";
+  for (const std::string motion :
+       {"  amplitude: {peak: 0}\n", "  amplitude: {peak: 1.0e-30}\n", "  amplitude: {peak: 1.0e+6}\n",
+        "  strength: 0\n", "  strength: 1.0e-150\n", "  profile: torus\n  ring_radius: 50\n  radius: 0.01\n"}) {
+    EXPECT_EQ(refusal(motion, mooney), "accepted") << motion;
+    EXPECT_EQ(refusal(motion), "accepted") << motion;
+  }
+  EXPECT_EQ(refusal("",
+                    "material: {adapter: compressible_fluid, parameters: {bulk_modulus: 1000, viscosity: 0}, "
+                    "density: 1000}\n"),
+            "accepted");
+}
+
+TEST(Vortex3dScenes, SizesWhosePowersAreNoNumbersAreRefused) {
+  expect_refused("  radius: 1.0e-200\n", "motion.radius: must be from 1e-50 to 1e+50");
+  expect_refused("  profile: torus\n  ring_radius: 1.0e+200\n", "motion.ring_radius: must be from 1e-50 to 1e+50");
+  expect_refused("  profile: drum\n  height: 1.0e-100\n", "motion.height: must be from 1e-50 to 1e+50");
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_vortex3d_scenes

@@ -2,6 +2,9 @@
 // The body force over boxes, as eval writes it.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "drivers/format/csv.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/verbs/verbs.hpp"
@@ -90,6 +93,37 @@ TEST(EvalBoxes, APlaneSceneHasRectangles) {
   EXPECT_NEAR(value(table, "bx"), value(at, "bx"), 0.05 * std::abs(value(at, "bx")));
 }
 
+/// One box around the whole ball: its inertia alone, rho0 g'' integral of h R^2 dV = (4 pi/3) B(5/2, 5) about the axis.
+TEST(EvalBoxes, ABoxLargerThanTheMotionIsDivided) {
+  const CsvTable table = evaluated(ball, "X,Y,Z,t,HX,HY,HZ\n0,0,0,0.3,1.1,1.2,1.05\n");
+  const double pi = std::numbers::pi, g = -0.5 * pi * pi * std::sin(0.3 * pi);
+  const double moment = 1000 * g * 4 * pi / 3 * std::exp(std::lgamma(2.5) + std::lgamma(5) - std::lgamma(7.5));
+  const double of_axis[] = {1 / std::sqrt(14.0), 2 / std::sqrt(14.0), 3 / std::sqrt(14.0)};
+  constexpr double of_rule = 1e-4;
+  EXPECT_NEAR(value(table, "mx"), moment * of_axis[0], of_rule * std::abs(moment));
+  EXPECT_NEAR(value(table, "my"), moment * of_axis[1], of_rule * std::abs(moment));
+  EXPECT_NEAR(value(table, "mz"), moment * of_axis[2], of_rule * std::abs(moment));
+  EXPECT_NEAR(value(table, "bx"), 0, of_rule);
+}
+
+/// Where two vortices touch, the box feels the sum of what each alone exerts: their stresses do not overlap.
+TEST(EvalBoxes, TwoVorticesInABoxAddUp) {
+  const auto of = [](const std::string& vortices) {
+    const std::string scene = "motion: {type: vortex3d, vortices: [" + vortices + "], amplitude: {peak: 1}}\n" +
+                              ball.substr(ball.find("material"));
+    return evaluated(scene, "X,Y,Z,t,HX,HY,HZ\n0,0.05,0.03,0.4,0.02,0.02,0.02\n0,0,0,0.4,0.04,0.04,0.04\n");
+  };
+  for (const std::string power : {"2", "3"}) {
+    const std::string left = "{radius: 0.4, profile_power: " + power + ", axis: [1, 2, 3], center: [-0.4, 0, 0]}",
+                      right = "{radius: 0.4, profile_power: " + power + ", axis: [3, -1, 1], center: [0.4, 0, 0]}";
+    const CsvTable both = of(left + ", " + right), one = of(left), other = of(right);
+    for (const char* b : {"bx", "by", "bz"}) {
+      for (std::size_t row = 0; row < 2; ++row)
+        EXPECT_NEAR(value(both, b, row), value(one, b, row) + value(other, b, row), 2e-3) << power << b << row;
+    }
+  }
+}
+
 TEST(EvalBoxes, EdgesThatAreMissingOrTooManyAreRefused) {
   const auto refused = [](const std::string& scene, const std::string& points) {
     try {
@@ -104,6 +138,9 @@ TEST(EvalBoxes, EdgesThatAreMissingOrTooManyAreRefused) {
   };
   expect(refused(ball, "X,Y,Z,t,HX,HY\n0,0,0,0.1,0.1,0.1\n"), "boxes in three dimensions need HZ");
   expect(refused(plane, "X,Y,t,HX,HY,HZ\n1,0,0.1,0.1,0.1,0.1\n"), "boxes of a plane scene have HX and HY alone");
+  expect(refused(ball, "X,Y,Z,t,HX,HY,HZ\n0,0,0,0.1,1e-9,0.1,0.1\n"), "half edges must be at least");
+  expect(refused(ball, "X,Y,Z,t,HX,HY,HZ\n1e8,0,0,0.1,0.1,0.1,0.1\n"), "half edges must be at least");
+  expect(refused(ball, "X,Y,Z,t,HX,HY,HZ\n0,0,0,0.1,1e3,1e3,1e3\n"), "the box is too large for a mean");
   expect(refused(plane, "X,Y,t,HX\n1,0,0.1,0.1\n"), "HX and HY only come together");
   expect(refused(plane, "X,Y,t,HX,HY\n1,0,0.1,0.1,0\n"), "must be greater than 0");
   expect(refused("motion: {type: twisting_ring, expansion: 0.05}\n" + plane.substr(plane.find("material")),

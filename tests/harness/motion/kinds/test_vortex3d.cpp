@@ -45,6 +45,16 @@ TEST(Vortex3d, TheLargestShearIsThatOfTheTable) {
   }
 }
 
+/// Of a thin torus xi = R m s (1 - s^2)^(m - 1)/w is largest at s = 1/sqrt(2 m - 1), up to w/R0.
+TEST(Vortex3d, TheLargestShearOfAThinTorusIsFound) {
+  for (const double thin : {1e-2, 1e-4, 1e-6}) {
+    for (const int m : {2, 4}) {
+      const double s = 1 / std::sqrt(2 * m - 1.0), wanted = m * s * std::pow(1 - s * s, m - 1) / thin;
+      EXPECT_NEAR(Vortex3d({torus(1, thin, m), {}, {}}).largest_xi(), wanted, 2 * thin * wanted) << thin;
+    }
+  }
+}
+
 TEST(Vortex3d, NoPointHasALargerXiThanThePath) {
   std::mt19937 generator(2);
   std::uniform_real_distribution<double> share(-1, 1);
