@@ -25,6 +25,11 @@ const assay_material* assay_builtin_zener(std::uint32_t host_major, std::uint32_
 
 namespace assay {
 
+/// Parameters of orthotropic_cylindrical for which no two directions are alike.
+inline const std::map<std::string, double> unlike_directions{{"E_r", 1000},  {"E_t", 1500},   {"E_z", 800},
+                                                             {"nu_rt", 0.2}, {"nu_rz", 0.25}, {"nu_tz", 0.3},
+                                                             {"G_rt", 500},  {"G_rz", 400},   {"G_tz", 450}};
+
 inline std::shared_ptr<const Material> builtin_material(assay_material_entry_function entry,
                                                         const std::map<std::string, double>& parameters) {
   return std::make_shared<const Material>(entry(ASSAY_ABI_MAJOR, 0), parameters);

@@ -120,15 +120,7 @@ TEST(TurnedReference, TellsASecondDirection) {
 
 /// Axes about which it is orthotropic: one is the host's, another stays where it is.
 TEST(TurnedReference, TellsASecondAxisBesideTheDirection) {
-  const auto cylinder = builtin_material(assay_builtin_orthotropic_cylindrical, {{"E_r", 1000},
-                                                                                 {"E_t", 1500},
-                                                                                 {"E_z", 800},
-                                                                                 {"nu_rt", 0.2},
-                                                                                 {"nu_rz", 0.25},
-                                                                                 {"nu_tz", 0.3},
-                                                                                 {"G_rt", 500},
-                                                                                 {"G_rz", 400},
-                                                                                 {"G_tz", 450}});
+  const auto cylinder = builtin_material(assay_builtin_orthotropic_cylindrical, unlike_directions);
   const auto found = turned_reference(*cylinder, sheared(0.3), end);
   ASSERT_TRUE(found);
   EXPECT_GT(found->difference, 0.01);
