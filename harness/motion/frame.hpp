@@ -43,7 +43,8 @@ struct Frame {
   /// x', v' = R (v + w x x) + c, a' = R (a + 2 w x v + w x (w x x)), F' = R(t) F R(0)^T.
   ExactState seen(const ExactState& state, double t) const;
 
-  /// P' = R(t) P R(0)^T, sigma' = R sigma R^T, b' = R (b + 2 w x v + w x (w x x)); state: of the body's own motion.
+  /// P' = R(t) P R(0)^T, sigma' = R sigma R^T, b' = R (b + 2 w x v + w x (w x x)), without inertia R b alone; state: of
+  /// the body's own motion.
   ExactStress seen(const ExactStress& stress, const ExactState& state, double t) const;
 };
 
