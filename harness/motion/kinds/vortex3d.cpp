@@ -44,6 +44,12 @@ std::optional<MeridianPoint> Vortex3d::place(const Vector3& X) const {
   return std::nullopt;
 }
 
+Vector3 acceleration_of(const MeridianPoint& p, const AmplitudeValue& g, const Tensor& Q) {
+  const double h = p.profile.h, omega = g.rate * h;  // [rad/s]
+  const Vector3 from_axis = Q * p.radial;
+  return g.acceleration * h * p.E_Z.cross(from_axis) - omega * omega * from_axis;
+}
+
 ExactState state_of(const MeridianPoint& p, const AmplitudeValue& g) {
   const double h = p.profile.h, omega = g.rate * h;  // [rad/s]
   const Tensor Q = p.rotation(g.value * h);
@@ -52,7 +58,7 @@ ExactState state_of(const MeridianPoint& p, const AmplitudeValue& g) {
   ExactState state;
   state.x = p.center + p.Z * p.E_Z + from_axis;
   state.v = omega * across;
-  state.a = g.acceleration * h * across - omega * omega * from_axis;
+  state.a = acceleration_of(p, g, Q);
   state.F = Q + g.value * shear;
   state.F_rate = g.rate * shear;
   for (int column = 0; column < 3; ++column)

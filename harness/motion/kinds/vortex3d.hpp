@@ -29,6 +29,9 @@ struct MeridianPoint {
   Tensor axes() const;  ///< columns N, E_Theta, M = -s E_R + c E_Z
 };
 
+/// a of it [m/s^2]. Q: its rotation by g(t) h.
+Vector3 acceleration_of(const MeridianPoint& point, const AmplitudeValue& g, const Tensor& Q);
+
 /// x, v, a and F of it. g: of the time.
 ExactState state_of(const MeridianPoint& point, const AmplitudeValue& g);
 
