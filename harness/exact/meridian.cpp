@@ -47,10 +47,16 @@ Vector3 divergence_piola(const MeridianPoint& p, double g, const MeridianRespons
 
 namespace {
 
+ExactState at_rest(const Vector3& X) {
+  ExactState state;
+  state.x = X;
+  return state;
+}
+
 class MeridianSlice final : public ExactSlice {
  public:
-  MeridianSlice(const Vortex3d& motion, double density, const Response* response, double t)
-      : motion_(motion), density_(density), g_(motion.amplitude.at(t)) {
+  MeridianSlice(const Vortex3d& motion, const VortexFinder& finder, double density, const Response* response, double t)
+      : finder_(finder), density_(density), g_(motion.amplitude.at(t)) {
     for (const Revolution& vortex : motion.all()) has_edge_ |= !vortex.has_smooth_edge();
     if (!response) return;
     response_ = response->at_time(t);
@@ -59,7 +65,7 @@ class MeridianSlice final : public ExactSlice {
   }
 
   ExactPoint at(const Vector3& X) const override {
-    const auto p = motion_.place(X);
+    const auto p = finder_.place(X);
     if (!p) return {at_rest(X), {}};
     ExactPoint found{state_of(*p, g_), {}};
     ExactStress& stress = found.stress;
@@ -73,7 +79,7 @@ class MeridianSlice final : public ExactSlice {
   }
 
   Tensor first_piola_kirchhoff(const Vector3& X) const override {
-    const auto p = motion_.place(X);
+    const auto p = finder_.place(X);
     if (!p || !response_) return Tensor::Zero();
     Tensor tau, slope;
     response_->at(p->xi, tau, slope);
@@ -82,13 +88,13 @@ class MeridianSlice final : public ExactSlice {
   }
 
   ExactState state(const Vector3& X) const override {
-    const auto p = motion_.place(X);
+    const auto p = finder_.place(X);
     return p ? state_of(*p, g_) : at_rest(X);
   }
 
   bool has_parts() const override { return has_edge_ || !fronts_.empty(); }
   std::size_t part(const Vector3& X) const override {
-    const auto p = motion_.place(X);
+    const auto p = finder_.place(X);
     const double xi = p ? p->xi : 0;
     const auto fronts =
         static_cast<std::size_t>(std::lower_bound(fronts_.begin(), fronts_.end(), xi) - fronts_.begin());
@@ -96,13 +102,7 @@ class MeridianSlice final : public ExactSlice {
   }
 
  private:
-  static ExactState at_rest(const Vector3& X) {
-    ExactState state;
-    state.x = X;
-    return state;
-  }
-
-  const Vortex3d& motion_;
+  const VortexFinder& finder_;
   double density_;
   AmplitudeValue g_;
   std::shared_ptr<const ResponseAtTime> response_;
@@ -114,7 +114,7 @@ class MeridianSlice final : public ExactSlice {
 class MeridianSolution final : public ExactSolution {
  public:
   MeridianSolution(const Vortex3d& motion, double density, std::shared_ptr<const Response> response)
-      : ExactSolution(motion, density), vortex_(motion), response_(std::move(response)) {}
+      : ExactSolution(motion, density), vortex_(motion), finder_(motion), response_(std::move(response)) {}
 
   std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between) const override {
     std::vector<ExactPoint> found;
@@ -129,16 +129,21 @@ class MeridianSolution final : public ExactSolution {
   }
 
   std::unique_ptr<const ExactSlice> slice(double t) const override {
-    return std::make_unique<MeridianSlice>(vortex_, density_, response_.get(), t);
+    return std::make_unique<MeridianSlice>(vortex_, finder_, density_, response_.get(), t);
   }
 
   std::unique_ptr<ExactInstant> instant(const ExactPoints&, const Asked&) const override {
     throw std::logic_error("an instant is plane, and vortex3d is not");
   }
   const Response* response() const override { return response_.get(); }
+  ExactState state(const Vector3& X, double t) const override {
+    const auto p = finder_.place(X);
+    return p ? state_of(*p, vortex_.amplitude.at(t)) : at_rest(X);
+  }
 
  private:
   Vortex3d vortex_;
+  VortexFinder finder_;
   std::shared_ptr<const Response> response_;
 };
 
