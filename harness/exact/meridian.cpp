@@ -52,10 +52,16 @@ Vector3 divergence_piola(const MeridianPoint& p, double g, const MeridianRespons
 
 namespace {
 
+ExactState at_rest(const Vector3& X) {
+  ExactState state;
+  state.x = X;
+  return state;
+}
+
 class MeridianSlice final : public ExactSlice {
  public:
-  MeridianSlice(const Vortex3d& motion, double density, const Response* response, double t)
-      : motion_(motion), density_(density), g_(motion.amplitude.at(t)) {
+  MeridianSlice(const Vortex3d& motion, const VortexFinder& finder, double density, const Response* response, double t)
+      : finder_(finder), density_(density), g_(motion.amplitude.at(t)) {
     for (const Revolution& vortex : motion.all()) has_edge_ |= !vortex.has_smooth_edge();
     if (!response) return;
     response_ = response->at_time(t);
@@ -64,7 +70,7 @@ class MeridianSlice final : public ExactSlice {
   }
 
   ExactPoint at(const Vector3& X) const override {
-    const auto p = motion_.place(X);
+    const auto p = finder_.place(X);
     if (!p) return {at_rest(X), {}};
     return point_of(*p, response_ ? meridian_response(*response_, p->xi, first_front_) : MeridianResponse());
   }
@@ -102,7 +108,7 @@ class MeridianSlice final : public ExactSlice {
   }
 
   Tensor first_piola_kirchhoff(const Vector3& X) const override {
-    const auto p = motion_.place(X);
+    const auto p = finder_.place(X);
     if (!p || !response_) return Tensor::Zero();
     Tensor tau, slope;
     response_->at(p->xi, tau, slope);
@@ -111,23 +117,17 @@ class MeridianSlice final : public ExactSlice {
   }
 
   ExactState state(const Vector3& X) const override {
-    const auto p = motion_.place(X);
+    const auto p = finder_.place(X);
     return p ? state_of(*p, g_) : at_rest(X);
   }
 
   bool has_parts() const override { return has_edge_ || !fronts_.empty(); }
   std::size_t part(const Vector3& X) const override {
-    const auto p = motion_.place(X);
+    const auto p = finder_.place(X);
     const double xi = p ? p->xi : 0;
     const auto fronts =
         static_cast<std::size_t>(std::lower_bound(fronts_.begin(), fronts_.end(), xi) - fronts_.begin());
     return has_edge_ && p ? fronts + (fronts_.size() + 1) * (p->vortex + 1) : fronts;
-  }
-
-  static ExactState at_rest(const Vector3& X) {
-    ExactState state;
-    state.x = X;
-    return state;
   }
 
  private:
@@ -136,7 +136,7 @@ class MeridianSlice final : public ExactSlice {
     return -(Q * (B * divergence_piola(p, g_.value, response))) / density_;
   }
 
-  const Vortex3d& motion_;
+  const VortexFinder& finder_;
   double density_;
   AmplitudeValue g_;
   std::shared_ptr<const ResponseAtTime> response_;
@@ -147,16 +147,16 @@ class MeridianSlice final : public ExactSlice {
 
 class MeridianPlaces final : public ExactPlaces {
  public:
-  MeridianPlaces(const Vortex3d& motion, std::vector<Vector3> X) : ExactPlaces(std::move(X)) {
+  MeridianPlaces(const VortexFinder& finder, std::vector<Vector3> X) : ExactPlaces(std::move(X)) {
     for (std::size_t p = 0; p < size(); ++p) {
-      const auto place = motion.place(this->X(p));
-      place_.push_back(place ? static_cast<std::uint32_t>(moved_.size()) : at_rest);
+      const auto place = finder.place(this->X(p));
+      place_.push_back(place ? static_cast<std::uint32_t>(moved_.size()) : nowhere);
       if (place) moved_.push_back(*place);
     }
     for (std::size_t p = 0; p < size(); ++p) order_.push_back(static_cast<std::uint32_t>(p));
     for (std::size_t begin = 0; begin < size(); begin += at_once) {  // neighbours in xi are of one range of a sheet
       const auto first = order_.begin() + static_cast<std::ptrdiff_t>(begin);
-      const auto xi = [&](std::uint32_t p) { return place_[p] == at_rest ? -1 : moved_[place_[p]].xi; };
+      const auto xi = [&](std::uint32_t p) { return place_[p] == nowhere ? -1 : moved_[place_[p]].xi; };
       std::stable_sort(first, first + static_cast<std::ptrdiff_t>(std::min(at_once, size() - begin)),
                        [&](std::uint32_t a, std::uint32_t b) { return xi(a) < xi(b); });
     }
@@ -172,8 +172,8 @@ class MeridianPlaces final : public ExactPlaces {
       for (std::size_t k = begin; k < std::min(begin + at_once, size()); ++k) {
         const std::uint32_t p = order_[k];
         if (p < first || p >= first + count) continue;
-        if (place_[p] == at_rest) {
-          out.put(p - first, {MeridianSlice::at_rest(X(p)), {}});
+        if (place_[p] == nowhere) {
+          out.put(p - first, {at_rest(X(p)), {}});
           continue;
         }
         xi.push_back(moved_[place_[p]].xi), points.push_back(p);
@@ -193,7 +193,7 @@ class MeridianPlaces final : public ExactPlaces {
 
  private:
   static constexpr std::size_t at_once = 512;
-  static constexpr auto at_rest = static_cast<std::uint32_t>(-1);
+  static constexpr auto nowhere = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> place_;  ///< of each point among those that move
   std::vector<std::uint32_t> order_;  ///< of the points of each piece, by xi
   std::vector<MeridianPoint> moved_;
@@ -202,22 +202,27 @@ class MeridianPlaces final : public ExactPlaces {
 class MeridianSolution final : public ExactSolution {
  public:
   MeridianSolution(const Vortex3d& motion, double density, std::shared_ptr<const Response> response)
-      : ExactSolution(motion, density), vortex_(motion), response_(std::move(response)) {}
+      : ExactSolution(motion, density), vortex_(motion), finder_(motion), response_(std::move(response)) {}
 
   std::unique_ptr<const ExactSlice> slice(double t) const override {
-    return std::make_unique<MeridianSlice>(vortex_, density_, response_.get(), t);
+    return std::make_unique<MeridianSlice>(vortex_, finder_, density_, response_.get(), t);
   }
   std::unique_ptr<const ExactPlaces> places(std::vector<Vector3> X) const override {
-    return std::make_unique<MeridianPlaces>(vortex_, std::move(X));
+    return std::make_unique<MeridianPlaces>(finder_, std::move(X));
   }
 
   std::unique_ptr<ExactInstant> instant(const ExactPoints&, const Asked&) const override {
     throw std::logic_error("an instant is plane, and vortex3d is not");
   }
   const Response* response() const override { return response_.get(); }
+  ExactState state(const Vector3& X, double t) const override {
+    const auto p = finder_.place(X);
+    return p ? state_of(*p, vortex_.amplitude.at(t)) : at_rest(X);
+  }
 
  private:
   Vortex3d vortex_;
+  VortexFinder finder_;
   std::shared_ptr<const Response> response_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <tuple>
 
 #include "harness/motion/motion_kind.hpp"
 
@@ -57,6 +58,11 @@ struct Revolution {
         {.shown = alone});
   }
 
+  using Shape =
+      std::tuple<Profile, double, std::optional<double>, std::optional<double>, int, std::optional<int>, double>;
+  /// All but its place and axis.
+  Shape shape() const { return {profile, radius, ring_radius, height, profile_power, height_power, strength}; }
+
   /// R: distance from the axis, Z: along it from the centre [m]. Absent outside; on the edge the limit from inside.
   std::optional<MeridianProfile> at(double R, double Z) const;
 
@@ -75,9 +81,6 @@ struct Revolution {
 
 /// The largest xi = R |Grad h|/2 in the body.
 double largest_xi_of(const Revolution& vortex);
-
-/// A point that lies in both [m]; absent where they are disjoint, or touch.
-std::optional<Vector3> common_point(const Revolution& a, const Revolution& b);
 
 void fields(auto& archive, Revolution& r) {
   archive(r.profile, r.radius, r.ring_radius, r.height, r.profile_power, r.height_power, r.axis, r.center, r.strength);
