@@ -39,8 +39,9 @@ struct Revolution {
   Vector3 center{0, 0, 0};               ///< on the axis [m]
   double strength = 1;                   ///< factor of h, of either sign [1]
 
-  /// alone: not shown in a scene that is written in full where a list of vortices takes its place.
-  void keys(auto& key, bool alone = true) {
+  /// alone: not shown in a scene that is written in full where a list of vortices takes its place. power: how the
+  /// default of profile_power follows from other keys; empty in a list, where it is a constant.
+  void keys(auto& key, bool alone = true, const char* power = "") {
     const bool is_torus = alone && profile == Profile::torus, is_drum = alone && profile == Profile::drum;
     key("profile", "shape of the vortex, a body of revolution about its axis", profile, {.shown = alone});
     key("radius", "radius a of a ball or drum; of a torus the radius w of its section [m]", radius,
@@ -49,7 +50,7 @@ struct Revolution {
         {.range = sizes, .derived = "none: required of a torus, which alone has it", .shown = is_torus});
     key("height", "half the height of a drum, c [m]", height,
         {.range = sizes, .derived = "none: required of a drum, which alone has it", .shown = is_drum});
-    profile_power_key(key, profile_power, alone);
+    profile_power_key(key, profile_power, alone, power);
     key("height_power", "k of a drum's profile (1 - R^2/a^2)^m (1 - Z^2/c^2)^k", height_power,
         {.range = profile_powers, .derived = "4 of a drum, which alone has it", .shown = is_drum});
     axis_key(key, axis, alone);

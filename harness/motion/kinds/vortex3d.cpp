@@ -146,7 +146,7 @@ class Vortex3dKind final : public MotionOf<Vortex3dKind, Vortex3d> {
   }
 
   void keys(Keys& keys) override {
-    m.one.keys(keys, m.vortices.empty());
+    m.one.keys(keys, m.vortices.empty(), usual_profile_power);
     keys("vortices", "several disjoint vortices in one body, in place of the one: a list of maps", m.vortices);
     period_key(keys, m.amplitude.period);
     m.amplitude.keys(keys);
