@@ -52,7 +52,9 @@ std::string failure_words(const MaterialFailure& failure) {
 
 bool takes_words(const assay_error* error) { return error->struct_size >= sizeof(assay_error); }
 
-void clear(assay_error* error) { tell_error(error, ASSAY_DONE, "", ""); }
+int tell_code(assay_error* error, int code) {
+  return tell_error(error, code, "", code == ASSAY_OUTSIDE ? "points lie where the motion is not defined" : "");
+}
 
 int code_of_exception(assay_error* error) {
   // what was short is told once: the next problem may have it

@@ -51,7 +51,9 @@ int code_of_exception(assay_error* error);
 
 /// Whether the caller's struct can take what is said.
 bool takes_words(const assay_error* error);
-void clear(assay_error* error);
+
+/// Of a call that has come to its end: its code.
+int tell_code(assay_error* error, int code);
 
 /// Calls `body`, which returns a code or throws. A thread that is cancelled in it goes its way.
 template <class Body>
@@ -59,8 +61,7 @@ int call_of_library(assay_error* error, const Body& body) {
   if (error && !takes_words(error)) return ASSAY_BAD_INPUT;
   const OwnArithmetic arithmetic;
   try {
-    clear(error);
-    return body();
+    return tell_code(error, body());
   } catch (const std::exception&) {
     return code_of_exception(error);
   }

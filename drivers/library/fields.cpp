@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/library/fields.hpp"
 
-#include <cmath>
+#include <limits>
 
 namespace assay::drivers {
 
 std::vector<Vector3> vectors_of(std::size_t n, int dimension, const assay_const_field& field, const char* name) {
+  refuse_call_if(n > 0 && !field.data, name, "must not be null");
   std::vector<Vector3> all(n, Vector3::Zero());
   for (std::size_t p = 0; p < n; ++p) {
     const double* at = field.data + static_cast<std::ptrdiff_t>(p) * field.point_stride;
@@ -15,35 +16,38 @@ std::vector<Vector3> vectors_of(std::size_t n, int dimension, const assay_const_
   return all;
 }
 
-void check_view(const assay_view& view) { refuse_call_if(view.reserved != 0, "out.reserved", "must be 0"); }
-
-void FieldWriter::put_tensor(const assay_field& field, std::size_t point, const Tensor& value) const {
-  if (!field.data) return;
-  double* at = place_in(field, point);
-  for (int c = 0; c < 9; ++c) at[c * field.component_stride] = component(value, c);
+void check_components(int components, int dimension) {
+  const bool fits = components == 3 || (components == 2 && dimension == 2);
+  refuse_call_if(!fits, "components", dimension == 3 ? "must be 3 in three dimensions" : "must be 2 or 3");
 }
 
-void FieldWriter::put(std::size_t point, const ExactPoint& exact) const {
-  if (view_.status) view_.status[point] = ASSAY_DONE;
-  put_vector(view_.x, point, exact.state.x, dimension_);
-  put_vector(view_.v, point, exact.state.v, dimension_);
-  put_vector(view_.a, point, exact.state.a, dimension_);
-  put_tensor(view_.F, point, exact.state.F);
-  put_tensor(view_.P, point, exact.stress.first_piola_kirchhoff);
-  put_vector(view_.b, point, exact.stress.body_force, dimension_);
-  put_vector(view_.b_static, point, exact.stress.body_force - exact.state.a, dimension_);
-  if (!view_.sigma.data) return;
-  constexpr int components[] = {0, 4, 8, 1, 2, 5};  // 11, 22, 33, 12, 13, 23
-  double* at = place_in(view_.sigma, point);
-  for (int c = 0; c < 6; ++c) at[c * view_.sigma.component_stride] = component(exact.stress.cauchy, components[c]);
+Vector3 no_vector() { return Vector3::Constant(std::numeric_limits<double>::quiet_NaN()); }
+
+HostViews::HostViews(const assay_view* out, int dimension) {
+  const assay_view view = known_part(out, sizeof(assay_view), "out");
+  refuse_call_if(view.reserved != 0, "out.reserved", "must be 0");
+  const auto of = [](const assay_field& field) {
+    return FieldView{field.data, field.point_stride, field.component_stride};
+  };
+  fields = {static_cast<std::size_t>(dimension),
+            of(view.x),
+            of(view.v),
+            of(view.a),
+            of(view.F),
+            of(view.P),
+            of(view.sigma),
+            of(view.b),
+            of(view.b_static)};
+  status = view.status;
 }
 
-void FieldWriter::put_outside(std::size_t point) const {
+void HostViews::put_outside(std::size_t point) const {
   ExactPoint none;
-  none.state.x = none.state.v = none.state.a = none.stress.body_force = no_vector();
+  none.state.x = none.state.v = none.state.a = no_vector();
+  none.stress.body_force = none.stress.static_force = no_vector();
   none.state.F = none.stress.first_piola_kirchhoff = none.stress.cauchy = Tensor::Constant(no_vector().x());
-  put(point, none);
-  if (view_.status) view_.status[point] = ASSAY_OUTSIDE;
+  fields.put(point, none);
+  if (status) status[point] = ASSAY_OUTSIDE;
 }
 
 }  // namespace assay::drivers

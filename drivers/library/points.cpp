@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Of assay.h: points, and the fields there.
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "drivers/library/exact_problem.hpp"
 #include "drivers/library/fields.hpp"
-#include "harness/material/material_failure.hpp"
 #include "harness/numeric/norms.hpp"
 
 struct assay_points {
@@ -24,52 +21,21 @@ namespace {
 void check_range(const assay_points& points, std::size_t first, std::size_t count) {
   const std::size_t n = points.X.size();
   if (first > n || count > n - first)
-    throw RefusedCall("count", "points " + std::to_string(first) + " and " + std::to_string(count) +
-                                   " more are beyond the " + std::to_string(n) + " that there are");
+    throw RefusedCall("count", std::to_string(count) + " points from number " + std::to_string(first) +
+                                   " on are more than the " + std::to_string(n) + " that there are");
 }
 
-/// visit(point, exact) of each that the motion knows; otherwise `missing(point)`. Whether it knows all.
-template <class Visit, class Missing>
-bool each_exact(const ExactSlice& slice, const assay_points& points, std::size_t first, std::size_t count,
-                const Visit& visit, const Missing& missing) {
-  bool all = true;
+/// inside(k, exact) of points first + k at which the motion is defined, else outside(k). The code.
+int visit_points(const assay_points& points, double t, std::size_t first, std::size_t count, const auto& inside,
+                 const auto& outside) {
+  const auto slice = points.problem->slice(t);
+  bool all_inside = true;
   for (std::size_t k = 0; k < count; ++k) {
-    if (!points.inside[first + k]) {
-      all = false;
-      missing(k);
-      continue;
-    }
-    try {
-      visit(k, slice.at(points.X[first + k]));
-    } catch (const MaterialFailure& failure) {
-      throw RefusedCall("points", failure.what(), ASSAY_FINDING, static_cast<std::int64_t>(first + k));
-    }
+    const std::size_t p = first + k;
+    all_inside &= points.inside[p] != 0;
+    points.inside[p] ? inside(k, at_point(p, [&] { return slice->at(points.X[p]); })) : outside(k);
   }
-  return all;
-}
-
-int outside_code(bool all_inside) { return all_inside ? ASSAY_DONE : ASSAY_OUTSIDE; }
-
-/// The fields of points at a time; what was made for them stays.
-int put_fields(const ExactSlice& slice, const assay_points& points, std::size_t first, std::size_t count,
-               const assay_view& out) {
-  const FieldWriter writer(out, points.problem->dimension());
-  return outside_code(each_exact(
-      slice, points, first, count, [&](std::size_t k, const ExactPoint& exact) { writer.put(k, exact); },
-      [&](std::size_t k) { writer.put_outside(k); }));
-}
-
-assay_points points_of(const std::shared_ptr<const ExactProblem>& problem, std::size_t n, int components,
-                       const assay_const_field& X, const char* name) {
-  refuse_call_if(n > 0 && !X.data, name, "must not be null");
-  refuse_call_if(components != 3 && (components != 2 || problem->dimension() == 3), "components",
-                 problem->dimension() == 3 ? "must be 3 in three dimensions" : "must be 2 or 3");
-  assay_points points;
-  points.problem = problem;
-  points.X = vectors_of(n, problem->dimension(), X, name);
-  points.inside.resize(n);
-  std::ranges::transform(points.X, points.inside.begin(), [&](const Vector3& at) { return problem->holds(at); });
-  return points;
+  return code_of_points(all_inside);
 }
 
 }  // namespace
@@ -83,7 +49,13 @@ int assay_points_open(const assay_problem* problem, size_t n, int components, co
     refuse_call_if(!points, "points", "must not be null");
     const auto& shared = known_handle(problem, HandleMark::problem, "problem").shared;
     refuse_call_if(!X, "points.X", "must not be null");
-    *points = new assay_points(points_of(shared, n, components, *X, "points.X"));
+    check_components(components, shared->dimension());
+    auto made = std::make_unique<assay_points>();
+    made->problem = shared;
+    made->X = vectors_of(n, shared->dimension(), *X, "points.X");
+    made->inside.resize(n);
+    std::ranges::transform(made->X, made->inside.begin(), [&](const Vector3& at) { return shared->holds(at); });
+    *points = made.release();
     return ASSAY_DONE;
   });
 }
@@ -94,11 +66,13 @@ int assay_eval(const assay_points* points, double t, size_t first, size_t count,
                assay_error* error) {
   return call_of_library(error, [&] {
     const assay_points& known = known_handle(points, HandleMark::points, "points");
-    const assay_view view = known_part(out, sizeof(assay_view), "out");
-    check_view(view);
+    const HostViews views(out, known.problem->dimension());
     check_range(known, first, count);
-    const auto slice = known.problem->slice(t);
-    return put_fields(*slice, known, first, count, view);
+    const auto inside = [&](std::size_t k, const ExactPoint& exact) {
+      views.fields.put(k, exact);
+      views.tell_inside(k);
+    };
+    return visit_points(known, t, first, count, inside, [&](std::size_t k) { views.put_outside(k); });
   });
 }
 
@@ -107,21 +81,44 @@ int assay_tractions(const assay_points* points, double t, size_t first, size_t c
   return call_of_library(error, [&] {
     const assay_points& known = known_handle(points, HandleMark::points, "points");
     check_range(known, first, count);
-    refuse_call_if(!N || (count > 0 && !N->data), "N", "must not be null");
+    refuse_call_if(!N, "N", "must not be null");
     refuse_call_if(!traction || (count > 0 && !traction->data), "traction", "must not be null");
     const int dimension = known.problem->dimension();
     const std::vector<Vector3> normals = vectors_of(count, dimension, *N, "N");
-    for (std::size_t k = 0; k < count; ++k) {
-      if (normals[k] == Vector3::Zero())
-        throw RefusedCall("N", "must not be zero", ASSAY_BAD_INPUT, static_cast<std::int64_t>(first + k));
+    const auto zero = std::ranges::find(normals, Vector3(Vector3::Zero()));
+    if (zero != normals.end())
+      throw RefusedCall("N", "must not be zero", ASSAY_BAD_INPUT, static_cast<std::int64_t>(zero - normals.begin()));
+    const auto inside = [&](std::size_t k, const ExactPoint& exact) {
+      put_vector(*traction, k, exact.stress.first_piola_kirchhoff * unit_along(normals[k]), dimension);
+    };
+    return visit_points(known, t, first, count, inside,
+                        [&](std::size_t k) { put_vector(*traction, k, no_vector(), dimension); });
+  });
+}
+
+int assay_at_current(const assay_problem* problem, double t, size_t n, int components, const assay_const_field* x,
+                     const assay_field* X, const assay_view* out, assay_error* error) {
+  return call_of_library(error, [&] {
+    const ExactProblem& known = *known_handle(problem, HandleMark::problem, "problem").shared;
+    const HostViews views(out, known.dimension());
+    refuse_call_if(!x, "x", "must not be null");
+    check_components(components, known.dimension());
+    const auto slice = known.slice(t);
+    bool all_inside = true;
+    const std::vector<Vector3> places = vectors_of(n, known.dimension(), *x, "x");
+    for (std::size_t p = 0; p < n; ++p) {
+      const std::optional<Vector3> from = known.solution().reference_of(places[p], t);
+      const bool inside = from && known.holds(*from);
+      all_inside &= inside;
+      if (X && X->data) put_vector(*X, p, inside ? *from : no_vector(), known.dimension());
+      if (inside) {
+        views.fields.put(p, at_point(p, [&] { return slice->at(*from); }));
+        views.tell_inside(p);
+      } else {
+        views.put_outside(p);
+      }
     }
-    const auto slice = known.problem->slice(t);
-    return outside_code(each_exact(
-        *slice, known, first, count,
-        [&](std::size_t k, const ExactPoint& exact) {
-          put_vector(*traction, k, exact.stress.first_piola_kirchhoff * unit_along(normals[k]), dimension);
-        },
-        [&](std::size_t k) { put_vector(*traction, k, no_vector(), dimension); }));
+    return code_of_points(all_inside);
   });
 }
 
