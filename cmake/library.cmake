@@ -11,8 +11,8 @@ target_link_libraries(assay_library PRIVATE assay_drivers assay_adapters assay_m
 target_compile_options(assay_library PRIVATE -ffunction-sections -fdata-sections $<$<CONFIG:Release>:-O2>)
 set(library_map ${PROJECT_SOURCE_DIR}/drivers/library/assay.map)
 target_link_options(assay_library PRIVATE -Wl,--gc-sections -Wl,--as-needed -Wl,--version-script=${library_map}
-  # of what it calls its own comes first, whatever the host has of the same name
-  -Wl,-Bsymbolic)
+  # of what it calls its own comes first, whatever the host has of the same name; and it stays where it was loaded
+  -Wl,-Bsymbolic -Wl,-z,nodelete)
 set_target_properties(assay_library PROPERTIES OUTPUT_NAME assay EXPORT_NAME assay
   VERSION 1.0 SOVERSION 1 CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON LINK_DEPENDS ${library_map})
 if(CMAKE_BUILD_TYPE STREQUAL "Release")

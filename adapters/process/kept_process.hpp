@@ -81,6 +81,7 @@ class KeptProcess {
 
   SharedMemory memory_;
   Pipe lifeline_;
+  pid_t host_ = ::getpid();  ///< whose it is: a copy of that process has it not
   pid_t keeper_ = -1;
   OpenFile keeper_file_;  ///< stands for it, whoever waits for the children of this process; negative: an old kernel
   pid_t process_ = 0;     ///< as it was at first: the model can write into the page

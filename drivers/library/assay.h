@@ -41,7 +41,7 @@ enum {
   ASSAY_BAD_INPUT = 2,  /* a scene, an argument */
   ASSAY_SYSTEM = 3,     /* memory, files, processes */
   ASSAY_BEYOND_END = 4, /* a time after assay_options.end, to which the response is tabulated */
-  ASSAY_OUTSIDE = 5     /* some points lie where the motion is not defined: their numbers are NaN, all others are there */
+  ASSAY_OUTSIDE = 5     /* some points lie where the motion is not defined: their numbers are NaN, the rest is there */
 };
 
 /* Structs begin with their size, which ASSAY_..._INIT sets: later headers append members. A library that is older than
@@ -130,7 +130,10 @@ typedef struct assay_view {
   assay_field b_static; /* without the inertia: -DIV(P)/rho0 [m/s^2] */
 } assay_view;
 /* With struct_size; all else null. */
-#define ASSAY_VIEW_INIT {sizeof(assay_view), 0, NULL, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}
+#define ASSAY_NO_FIELD {NULL, 0, 0}
+#define ASSAY_VIEW_INIT                                                                                          \
+  {sizeof(assay_view), 0, NULL, ASSAY_NO_FIELD, ASSAY_NO_FIELD, ASSAY_NO_FIELD, ASSAY_NO_FIELD, ASSAY_NO_FIELD,  \
+   ASSAY_NO_FIELD, ASSAY_NO_FIELD, ASSAY_NO_FIELD}
 
 /* n reference points X, which are copied. With components == 3 in the plane the third is ignored.
  * components: 2 or 3, that X has. */
@@ -139,8 +142,8 @@ ASSAY_API int assay_points_open(const assay_problem *problem, size_t n, int comp
 ASSAY_API void assay_points_close(assay_points *points);
 
 /* The fields of points first .. first + count - 1 at time t; data of a view is that of point `first`. Threads and ranks
- * may share one set. A time that is beyond the end by rounding, 1e-9 of it, is the end. Where the response is a formula,
- * time goes on beyond the end. */
+ * may share one set. A time that is beyond the end by rounding, 1e-9 of it, is the end. Where the response is a
+ * formula, time goes on beyond the end. */
 ASSAY_API int assay_eval(const assay_points *points, double t, size_t first, size_t count, const assay_view *out,
                          assay_error *error);
 

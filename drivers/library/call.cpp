@@ -40,6 +40,14 @@ int tell_error(assay_error* error, int code, std::string_view key, const std::st
   return code;
 }
 
+/// Where the system was short of something, that is why. It is told once: the next problem may have it.
+int tell_unless_short(assay_error* error, int code, std::string_view key, const std::string& message,
+                      std::int64_t point = -1, const Location& where = {}) {
+  const std::string shortage = adapters::take_shortage();
+  return shortage.empty() ? tell_error(error, code, key, message, point, where)
+                          : tell_error(error, ASSAY_SYSTEM, "", shortage);
+}
+
 std::string failure_words(const MaterialFailure& failure) {
   std::string words = failure.what();
   if (!std::isnan(failure.xi))
@@ -57,17 +65,16 @@ int tell_code(assay_error* error, int code) {
 }
 
 int code_of_exception(assay_error* error) {
-  // what was short is told once: the next problem may have it
-  const std::string shortage = adapters::take_shortage();
   try {
     throw;
   } catch (const RefusedCall& refused) {
-    return tell_error(error, refused.status, refused.key, refused.key + ": " + refused.what(), refused.point);
+    if (refused.status == ASSAY_BAD_INPUT || refused.status == ASSAY_BEYOND_END)
+      return tell_error(error, refused.status, refused.key, refused.key + ": " + refused.what(), refused.point);
+    return tell_unless_short(error, refused.status, refused.key, refused.key + ": " + refused.what(), refused.point);
   } catch (const InputError& bad) {
-    return tell_error(error, ASSAY_BAD_INPUT, bad.key(), bad.what(), -1, bad.where());
+    return tell_unless_short(error, ASSAY_BAD_INPUT, bad.key(), bad.what(), -1, bad.where());
   } catch (const MaterialFailure& failure) {
-    if (!shortage.empty()) return tell_error(error, ASSAY_SYSTEM, "", shortage);
-    return tell_error(error, ASSAY_FINDING, "", failure_words(failure));
+    return tell_unless_short(error, ASSAY_FINDING, "", failure_words(failure));
   } catch (const std::bad_alloc&) {
     return tell_error(error, ASSAY_SYSTEM, "", "there is not enough memory");
   } catch (const std::length_error&) {
@@ -75,7 +82,7 @@ int code_of_exception(assay_error* error) {
   } catch (const std::logic_error& bug) {
     return tell_error(error, ASSAY_SYSTEM, "", std::string("this is a bug of assay: ") + bug.what());
   } catch (const std::exception& other) {
-    return tell_error(error, ASSAY_SYSTEM, "", shortage.empty() ? other.what() : shortage);
+    return tell_unless_short(error, ASSAY_SYSTEM, "", other.what());
   }
 }
 

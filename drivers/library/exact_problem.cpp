@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "adapters/process/process_watch.hpp"
-#include "adapters/worker/remote_table.hpp"
+#include "adapters/process/shortage.hpp"
 #include "drivers/result/json_figure.hpp"
 #include "drivers/result/result.hpp"
 #include "drivers/scene/scene_reader.hpp"
@@ -83,17 +83,11 @@ std::shared_ptr<const ExactSlice> SliceCache::at(const ExactSolution& solution, 
 
 ExactProblem::ExactProblem(const assay_options& options) {
   const KeptWarnings heard;
+  adapters::take_shortage();  // of another problem that went on all the same
   check_options(options);
   open(options);
+  tables_.all_are_told();
   for (const std::string& sentence : heard.sentences()) warnings_ += sentence + "\n";
-}
-
-/// The workers of a foreign material end with it.
-ExactProblem::~ExactProblem() {
-  const assay_material* table = material_ ? &material_->table() : nullptr;
-  solution_.reset();
-  material_.reset();
-  if (table) adapters::forget_remote_table(table);
 }
 
 /// What the verb eval does, so that its tables hold the same numbers.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/worker/remote_table.hpp"
 #include "drivers/library/assay.h"
 #include "drivers/library/call.hpp"
 #include "drivers/scene/scene.hpp"
@@ -37,7 +38,6 @@ class ExactProblem {
  public:
   /// Throws what reading a scene and tabulating its response throw, and RefusedCall.
   explicit ExactProblem(const assay_options& options);
-  ~ExactProblem();
   ExactProblem(const ExactProblem&) = delete;
   ExactProblem& operator=(const ExactProblem&) = delete;
 
@@ -61,6 +61,7 @@ class ExactProblem {
   void open(const assay_options& options);
   double last_time() const;
 
+  adapters::OwnRemoteTables tables_;  ///< before what uses them: workers of a foreign material end with the problem
   Scene scene_;
   std::string library_;  ///< of the material; empty: built in
   std::shared_ptr<const Material> material_;
