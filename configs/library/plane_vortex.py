@@ -52,6 +52,7 @@ def error_of(problem, n):
     return largest
 
 
-problem = assay.Problem(sys.argv[1] if len(sys.argv) > 1 else "plane_vortex.yaml")
-coarse, fine = error_of(problem, 32), error_of(problem, 64)
-print(f"errors {coarse:.3e} and {fine:.3e} m, order {np.log2(coarse / fine):.2f}")
+if __name__ == "__main__":
+    vortex = assay.Problem(sys.argv[1] if len(sys.argv) > 1 else "plane_vortex.yaml")
+    coarse, fine = error_of(vortex, 32), error_of(vortex, 64)
+    print(f"errors {coarse:.3e} and {fine:.3e} m, order {np.log2(coarse / fine):.2f}")

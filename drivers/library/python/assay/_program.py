@@ -44,11 +44,11 @@ def _program() -> str:
     return found
 
 
-def _call(arguments: Sequence[str]) -> "subprocess.CompletedProcess[str]":
-    """Runs the program; statuses 0 and 1 are results."""
+def _call(arguments: Sequence[str], text: Optional[str] = None) -> "subprocess.CompletedProcess[str]":
+    """Runs the program, which reads the text where an argument is "-"; statuses 0 and 1 are results."""
     try:
-        done = subprocess.run([_program(), *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              stdin=subprocess.DEVNULL, encoding="utf-8", errors="replace", check=False)
+        done = subprocess.run([_program(), *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, input=text or "",
+                              encoding="utf-8", errors="replace", check=False)
     except OSError as error:
         raise SystemFailure(f"{_program()}: {error.strerror}") from None
     if done.returncode not in (0, 1):
@@ -87,17 +87,11 @@ def _in_folder(verb: str, scene: Optional[Path], text: Optional[str], sets: Sequ
     if (scene is None) == (text is None):
         raise InputError("scene, text: one of them is needed, and not both", key="scene")
     with ExitStack() as stack:
-        if text is not None:  # in the working folder, from which its relative paths count
-            file = stack.enter_context(tempfile.NamedTemporaryFile("w", prefix=".assay_", suffix=".yaml", dir=os.getcwd(),
-                                                                   encoding="utf-8"))
-            file.write(text)
-            file.flush()
-            scene = file.name
         if folder is None:
             folder = os.path.join(stack.enter_context(tempfile.TemporaryDirectory(prefix="assay_")), "result")
-        assert scene is not None
         changes = [word for change in sets for word in ("--set", change)]
-        done = _call([verb, os.fspath(scene), *changes, "-o", os.fspath(folder), "--json", "--quiet", *options])
+        file = "-" if scene is None else os.fspath(scene)
+        done = _call([verb, file, *changes, "-o", os.fspath(folder), "--json", "--quiet", *options], text)
         result = _parsed(done.stdout)
         result["status"] = done.returncode
         result["tables"] = Result({name[:-4]: _table(os.path.join(folder, name))
