@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A finite element code of its own, verified: total Lagrangian, bilinear quadrilaterals, lumped mass, explicit.
- *   cc -O2 plane_vortex.c -o plane_vortex $(pkg-config --cflags --libs assay) -lm && ./plane_vortex plane_vortex.yaml */
+ *   cc -O2 plane_vortex.c -o plane_vortex $(pkg-config --cflags --libs assay) -lm
+ *   ./plane_vortex plane_vortex.yaml */
 #include <assay.h>
 #include <math.h>
 #include <stdio.h>

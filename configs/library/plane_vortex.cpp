@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A material point code of its own, verified: total Lagrangian, bilinear functions, 2 x 2 points a cell, FLIP, explicit.
+// A material point code of its own, verified: total Lagrangian, bilinear functions, 2 x 2 points a cell, FLIP.
 //   c++ -std=c++17 -O2 plane_vortex.cpp -o plane_vortex $(pkg-config --cflags --libs assay)
+//   ./plane_vortex plane_vortex.yaml
 #include <assay.h>
 
 #include <algorithm>

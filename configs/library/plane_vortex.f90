@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 ! A finite element code of its own, verified: total Lagrangian, bilinear quadrilaterals, lumped mass, explicit.
-!   gfortran -O2 $(pkg-config --variable=fortran_module assay) plane_vortex.f90 -o plane_vortex $(pkg-config --libs assay)
+!   gfortran -O2 assay.f90 plane_vortex.f90 -o plane_vortex $(pkg-config --libs assay)
+!   ./plane_vortex plane_vortex.yaml
 program plane_vortex
   use assay
   implicit none

@@ -20,7 +20,7 @@ def stress(F):
 
 
 def grid(n):
-    """n x n elements on [-1.5, 1.5]^2: nodes, the nodes of each element, the volume of each node, slopes at 2 x 2 points."""
+    """n x n elements on [-1.5, 1.5]^2: size, nodes, nodes of elements, volumes of nodes, slopes at 2 x 2 points."""
     h = 3 / n
     line = -1.5 + h * np.arange(n + 1)
     X = np.stack(np.meshgrid(line, line), -1).reshape(-1, 2)
