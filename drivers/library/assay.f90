@@ -4,7 +4,7 @@
 !   use assay
 !   type(assay_problem) :: problem
 !   type(assay_points) :: points
-!   call problem%open('vortex.yaml')                  ! or text=..., sets=[character(40) :: 'motion.amplitude.peak=0.25']
+!   call problem%open('vortex.yaml')                  ! or text=..., sets=[character(40) :: 'motion.period=2', ...]
 !   call points%open(problem, X)                      ! X(dimension, n): reference positions [m]
 !   call points%eval(0d0, x=x, v=v)                   ! positions [m] and velocities [m/s], (dimension, n)
 !   call points%eval(t, b=b)                          ! body force per mass [m/s^2], (dimension, n)
@@ -19,7 +19,8 @@ module assay
 
   integer, parameter, public :: assay_done = 0, assay_finding = 1, assay_bad_input = 2, assay_system = 3, &
     assay_beyond_end = 4, assay_outside = 5
-  integer, parameter, public :: assay_triangle = 5, assay_quadrilateral = 9, assay_tetrahedron = 10, assay_hexahedron = 12
+  integer, parameter, public :: assay_triangle = 5, assay_quadrilateral = 9, assay_tetrahedron = 10, &
+    assay_hexahedron = 12
 
   type, public :: assay_fault
     integer :: code = 0
@@ -442,8 +443,8 @@ contains
   integer function extent(n, ask, x, v, a, F, P, sigma, b, b_static)
     integer, intent(in) :: n
     logical, intent(in) :: ask
-    real(c_double), intent(in), optional :: x(:, :), v(:, :), a(:, :), sigma(:, :), b(:, :), b_static(:, :), F(:, :, :), &
-      P(:, :, :)
+    real(c_double), intent(in), optional :: x(:, :), v(:, :), a(:, :), sigma(:, :), b(:, :), b_static(:, :), &
+      F(:, :, :), P(:, :, :)
     extent = n
     if (.not. ask) return
     if (present(P)) extent = size(P, 3)
@@ -550,8 +551,8 @@ contains
     self%handle = c_null_ptr
   end subroutine
 
-  ! element: assay_quadrilateral ...; X(dimension, nodes): reference nodes [m]; connectivity(nodes of one, elements): their
-  ! numbers from 1, in VTK's order. gauss: points along each direction, 0: as many as the element needs.
+  ! element: assay_quadrilateral ...; X(dimension, nodes): reference nodes [m]; connectivity(nodes of one, elements):
+  ! their numbers from 1, in VTK's order. gauss: points along each direction, 0: as many as the element needs.
   subroutine open_mesh(self, problem, element, X, connectivity, gauss, quasi_static, fault)
     class(assay_mesh), intent(inout) :: self
     type(assay_problem), intent(in) :: problem
@@ -606,8 +607,8 @@ contains
     self%handle = c_null_ptr
   end subroutine
 
-  ! Fields as those of points, of the points that the exact motion has at x_now(dimension, n) [m] at time t [s]; X: their
-  ! reference positions. For codes that know current positions alone: say so beside their results.
+  ! Fields as those of points, of the points that the exact motion has at x_now(dimension, n) [m] at time t [s]; X:
+  ! their reference positions. For codes that know current positions alone: say so beside their results.
   subroutine at_current(self, t, x_now, X, v, a, F, P, sigma, b, b_static, status, fault)
     class(assay_problem), intent(in) :: self
     real(c_double), intent(in) :: t

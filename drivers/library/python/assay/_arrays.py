@@ -49,7 +49,8 @@ def _place(owner: Any, flags: int) -> Place:
 
 
 def _are_doubles(held: Buffer, strides: Sequence[int]) -> bool:
-    return held.format in (b"d", b"=d", b"@d", b"<d") and not any(s % 8 for s in strides) and not (held.address or 0) % 8
+    aligned = not (held.address or 0) % 8 and not any(stride % 8 for stride in strides)
+    return aligned and held.format in (b"d", b"=d", b"@d", b"<d")
 
 
 def _flat(values: Any, shape: Tuple[int, ...], into: array) -> Tuple[int, ...]:

@@ -74,7 +74,7 @@ _FUNCTIONS = {
 
 
 def _places() -> List[str]:
-    """Where the library may be: named by the user, in a build folder, in an installed prefix, where the loader looks."""
+    """Where the library may be: named by the user, in a build folder or prefix, where the loader looks."""
     named = os.environ.get("ASSAY_LIBRARY")
     if named:
         return [named]
@@ -100,7 +100,7 @@ def library() -> ctypes.CDLL:
     found = version().decode()
     if _numbers(found) < _numbers(__version__):
         raise SystemFailure(f"{place}: is of assay {found}, older than this Python package ({__version__}, in {HERE}): "
-                            "install both from one assay, or let the environment variable ASSAY_LIBRARY name a newer one")
+                            "install both from one assay, or let ASSAY_LIBRARY name a newer library")
     for name, arguments in _FUNCTIONS.items():
         function = getattr(loaded, "assay_" + name)
         function.argtypes = arguments

@@ -131,8 +131,8 @@ class Points(_Handle):
         return _Request(count, self._dimension, fields, out).run(self._eval, self._handle, t, first, count)
 
     def tractions(self, t: float, N: Any, out: Any = None) -> Any:
-        """P N per reference area [Pa] at time t [s], shape (n, dimension); N: outward reference normals, (n, dimension),
-        of any length."""
+        """P N per reference area [Pa] at time t [s], shape (n, dimension); N: outward reference normals of any length,
+        (n, dimension)."""
         _, n, components, normals = _arrays.given(N, self._dimension, "tractions.N")
         if n != self._n or components < self._dimension:
             raise InputError(f"tractions.N: has {n} normals, needs {self._n}", key="tractions.N")
@@ -190,7 +190,7 @@ class Mesh(_Handle):
         if len(shape) != 2 or shape[1] != self._dimension:
             raise InputError(f"mesh.X: has the shape {shape}, needs (nodes, {self._dimension})", key="mesh.X")
         if element not in ELEMENTS:
-            raise InputError(f"mesh.element: {element!r} is not known; known: {', '.join(ELEMENTS)}", key="mesh.element")
+            raise InputError(f"mesh.element: unknown: {element!r}; known: {', '.join(ELEMENTS)}", key="mesh.element")
         each = {"triangle": 3, "quadrilateral": 4, "tetrahedron": 4, "hexahedron": 8}[element]
         if len(numbers) != 2 or numbers[1] != each:
             raise InputError(f"mesh.connectivity: has the shape {numbers}, needs (elements, {each})",

@@ -47,8 +47,8 @@ def _program() -> str:
 def _call(arguments: Sequence[str], text: Optional[str] = None) -> "subprocess.CompletedProcess[str]":
     """Runs the program, which reads the text where an argument is "-"; statuses 0 and 1 are results."""
     try:
-        done = subprocess.run([_program(), *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, input=text or "",
-                              encoding="utf-8", errors="replace", check=False)
+        done = subprocess.run([_program(), *arguments], capture_output=True, input=text or "", encoding="utf-8",
+                              errors="replace", check=False)
     except OSError as error:
         raise SystemFailure(f"{_program()}: {error.strerror}") from None
     if done.returncode not in (0, 1):
@@ -103,8 +103,8 @@ def run(scene: Optional[Path] = None, *, text: Optional[str] = None, sets: Any =
         threads: int = 1) -> Result:
     """Runs a scene, as `assay run` does, and returns its result.json and tables.
 
-    folder: where its files are kept; None: nowhere. A run that becomes unstable or does not do what its scene expects is
-    a result with status 1. Raises InputError, with file, line and column, and SystemFailure.
+    folder: where its files are kept; None: nowhere. A run that becomes unstable or does not do what its scene expects
+    is a result with status 1. Raises InputError, with file, line and column, and SystemFailure.
     """
     from ._problem import set_texts
     return _in_folder("run", scene, text, set_texts(sets), folder, ["--threads", str(threads)])

@@ -37,8 +37,9 @@ class InPlace(unittest.TestCase):
 
     @needs_numpy
     def test_strides(self):
-        layouts = {"rows": np.empty((5, 2)), "columns": np.empty((5, 2), order="F"), "backwards": np.empty((5, 2))[::-1],
-                   "mirrored": np.empty((5, 2))[:, ::-1], "part": np.empty((5, 3, 4))[:, :2, 2],
+        layouts = {"rows": np.empty((5, 2)), "columns": np.empty((5, 2), order="F"),
+                   "backwards": np.empty((5, 2))[::-1], "mirrored": np.empty((5, 2))[:, ::-1],
+                   "part": np.empty((5, 3, 4))[:, :2, 2],
                    "transposed": np.empty((2, 5)).T}
         for name, out in layouts.items():
             self.assertIs(self.pts(0.3, "b", out=out), out)

@@ -31,7 +31,8 @@ class Verbs(unittest.TestCase):
 
     def test_run_that_finds(self):
         result = assay.run(str(SOURCE / "configs/paper/vortex_cpdi.yaml"), sets={
-            "grid.spacing": 0.125, "expect": {"error.l2_max": {"below": 1e-9}}, "output.errors": 2, "output.particles": 0})
+            "grid.spacing": 0.125, "expect": {"error.l2_max": {"below": 1e-9}}, "output.errors": 2,
+            "output.particles": 0})
         self.assertEqual(result.status, 1)
 
     def test_tabulate(self):

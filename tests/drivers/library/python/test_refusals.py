@@ -40,7 +40,8 @@ class Refusals(unittest.TestCase):
                 self.assertIn("bad.yaml:2:", str(error))
 
     def test_a_scene_that_is_not_there(self):
-        for arguments in ({"scene": "nowhere.yaml"}, {}, {"scene": SCENE, "text": "a"}, {"scene": SCENE, "sets": ["x"]}):
+        for arguments in ({"scene": "nowhere.yaml"}, {}, {"scene": SCENE, "text": "a"},
+                          {"scene": SCENE, "sets": ["x"]}):
             with self.assertRaises(assay.InputError):
                 assay.Problem(**arguments)
         with self.assertRaisesRegex(assay.InputError, "needs a list"):
@@ -60,8 +61,9 @@ class Refusals(unittest.TestCase):
         with self.assertRaises(assay.BeyondEnd):
             assay.Problem(str(SOURCE / "configs/models/vortex_j2_jaumann.yaml"),
                           sets=["force.tolerance=1e-3"], end=0.01).points(POINTS)(0.9, "b")
-        for call in (lambda: pts(0.1), lambda: pts(0.1, "c"), lambda: pts(0.1, "b", first=6), lambda: pts(math.nan, "b"),
-                     lambda: pts(0.1, "b", count=6), lambda: pts(0.1, "x", "b", out=array("d", [0.0] * 10))):
+        for call in (lambda: pts(0.1), lambda: pts(0.1, "c"), lambda: pts(0.1, "b", first=6),
+                     lambda: pts(math.nan, "b"), lambda: pts(0.1, "b", count=6),
+                     lambda: pts(0.1, "x", "b", out=array("d", [0.0] * 10))):
             with self.assertRaises(assay.InputError):
                 call()
 
