@@ -41,7 +41,10 @@ add_library(assay_abi INTERFACE)
 set_target_properties(assay_abi PROPERTIES EXPORT_NAME abi)
 target_include_directories(assay_abi INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${include_dir}>)
-install(TARGETS assay_abi assay EXPORT assay_targets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+set_target_properties(assay PROPERTIES EXPORT_NAME program) # assay::assay is the library
+install(TARGETS assay_abi assay assay_library EXPORT assay_targets
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES drivers/library/assay.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT assay_targets NAMESPACE assay:: FILE assay-targets.cmake DESTINATION ${package_dir})
 
 configure_package_config_file(cmake/assay-config.cmake.in ${PROJECT_BINARY_DIR}/package/assay-config.cmake
@@ -75,3 +78,12 @@ file(RELATIVE_PATH prefix_of_pc ${CMAKE_INSTALL_PREFIX}/${pc_dir} ${CMAKE_INSTAL
 string(REGEX REPLACE "/$" "" prefix_of_pc "${prefix_of_pc}")
 configure_file(cmake/assay-abi.pc.in ${PROJECT_BINARY_DIR}/package/assay-abi.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/package/assay-abi.pc DESTINATION ${pc_dir})
+
+set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig) # the library is of one architecture
+file(RELATIVE_PATH prefix_of_pc ${CMAKE_INSTALL_PREFIX}/${pc_dir} ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" prefix_of_pc "${prefix_of_pc}")
+set(assay_pc_prefix "\${pcfiledir}/${prefix_of_pc}")
+set(assay_pc_include "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+set(assay_pc_lib "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
+configure_file(cmake/assay.pc.in ${PROJECT_BINARY_DIR}/package/assay.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/assay.pc DESTINATION ${pc_dir})

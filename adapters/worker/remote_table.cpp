@@ -258,4 +258,14 @@ void end_workers() {
   }
 }
 
+void forget_remote_table(const assay_material* table) {
+  std::unique_ptr<RemoteTable> ended;  // its workers end when no other table has to wait for them
+  const std::lock_guard lock(all_tables().guard);
+  auto& all = all_tables().tables;
+  const auto found = std::ranges::find_if(all, [&](const auto& each) { return each.get() == table; });
+  if (found == all.end()) return;
+  ended = std::move(*found);
+  all.erase(found);
+}
+
 }  // namespace assay::adapters

@@ -40,4 +40,7 @@ void keep_marks(const assay_material* table, const WorkerProcess& worker);
 /// Ends the workers of all remote tables: to be called before the process ends.
 void end_workers();
 
+/// Ends a remote table with its workers; nothing happens to any other table. Nobody may use it any more.
+void forget_remote_table(const assay_material* table);
+
 }  // namespace assay::adapters

@@ -94,9 +94,13 @@ std::string evaluated(const EvalOptions& options) {
   require_boxes_in_space(points, three, options.points);
   if (points.has_boxes) require_boxes(scene.motion, points.points, three, options.points);
   const auto solution = exact_solution_of_points(scene, material, end, quiet);
-  const std::vector<ExactPoint> exact = exact_points(*solution, points.points, quiet);
+  std::vector<ExactPoint> exact = exact_points(*solution, points.points, quiet);
+  const bool is_static = scene.force.is_static();
+  for (ExactPoint& point : exact) {
+    if (is_static) point.stress.body_force = point.stress.static_force;
+  }
   std::vector<BoxForce> over_boxes;
-  if (points.has_boxes) over_boxes = box_forces(*solution, scene.material.density, points.points, three);
+  if (points.has_boxes) over_boxes = box_forces(*solution, scene.material.density, points.points, three, is_static);
   const BoxForce no_box;
   std::vector<std::string> names;
   visit_columns({}, {}, points.has_boxes ? &no_box : nullptr, three, points.has_normals,
