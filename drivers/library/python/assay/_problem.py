@@ -2,13 +2,12 @@
 """Problems, and their points, cells and meshes."""
 from __future__ import annotations
 
-import ctypes
 import json
 import os
 import weakref
 from ctypes import byref, c_char_p, c_void_p, sizeof
 from functools import cached_property
-from typing import Any, Callable, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, List, Mapping, Optional, Sequence, Union
 
 from . import _arrays, _program
 from ._errors import InputError

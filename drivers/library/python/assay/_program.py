@@ -96,7 +96,7 @@ def _in_folder(verb: str, scene: Optional[Path], text: Optional[str], sets: Sequ
         result["status"] = done.returncode
         result["tables"] = Result({name[:-4]: _table(os.path.join(folder, name))
                                    for name in sorted(os.listdir(folder)) if name.endswith(".csv")})
-        return result
+    return result
 
 
 def run(scene: Optional[Path] = None, *, text: Optional[str] = None, sets: Any = (), folder: Optional[Path] = None,
@@ -151,6 +151,6 @@ def check(material: Path, *, folder: Optional[Path] = None, **options: Any) -> R
             folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="assay_"))
         words = [word for name, value in options.items() for word in _option(name, value)]
         done = _call(["check", os.fspath(material), "--json", "-", "-o", os.fspath(folder), "--quiet", *words])
-        result = _parsed(done.stdout)
-        result["status"] = done.returncode
-        return result
+    result = _parsed(done.stdout)
+    result["status"] = done.returncode
+    return result
