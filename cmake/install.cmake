@@ -32,7 +32,8 @@ install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\"
   -P \"${PROJECT_SOURCE_DIR}/cmake/installed_links.cmake\" COMMAND_ERROR_IS_FATAL ANY)")
 install(DIRECTORY configs/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/assay) # and beside the scenes, which name it so
 # Those of configs/foreign take libraries that the tests compile.
-install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/assay USE_SOURCE_PERMISSIONS PATTERN foreign EXCLUDE)
+install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/assay USE_SOURCE_PERMISSIONS PATTERN foreign EXCLUDE
+  PATTERN __pycache__ EXCLUDE)
 install(FILES completions/assay.bash RENAME assay DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES completions/_assay DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 install(FILES completions/assay.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
