@@ -24,7 +24,7 @@ CALLS = {
     "mutants": HOW + r"drivers/|mpm/|adapters/|harness/|tests/fuzz/",
     "long": HOW + r"drivers/|mpm/|adapters/|harness/|tests/|configs/|docs/check[.]md",
     "bench": HOW + r"bench/",
-    "package": HOW + r"tests/(package|downstream)/|harness/assay_material|adapters/(models|abaqus)/|drivers/library/|completions/|configs/|"
+    "package": HOW + r"tests/(package|downstream)/|harness/assay_material|drivers/library/|adapters/(models|abaqus)/|completions/|configs/|"
                      r"docs/assay[.]1|README|LICENSE|THIRD_PARTY|CHANGELOG",
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
