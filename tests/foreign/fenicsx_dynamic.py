@@ -13,7 +13,6 @@ try:
     import ufl
     from dolfinx import fem, mesh
     from mpi4py import MPI
-    from petsc4py import PETSc
 except ImportError as missing:
     print(f"skipped: {missing.name} is not there (Debian: python3-dolfinx)")
     sys.exit(77)
