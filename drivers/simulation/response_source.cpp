@@ -176,10 +176,12 @@ std::vector<ExactPoint> exact_points(const ExactSolution& exact, const std::vect
 
 std::string long_sheet_sentence(double seconds, double tolerance) {
   constexpr double usual = 1e-10, coarser = 1e3;
-  const double other = std::max(tolerance, usual) * coarser;
+  const double other = std::min(std::max(tolerance, usual) * coarser, ForceChoice::coarsest_tolerance);
+  const std::string remedy = other > tolerance ? "force.tolerance: " + rounded_text(other, 2) + " in place of " +
+                                                     rounded_text(tolerance, 2) + ", or with a smaller time.end"
+                                               : "a smaller time.end";
   return "to tabulate this material's response may take up to " + duration_text(seconds) +
-         ", often a third of it or less; shorter with force.tolerance: " + rounded_text(other, 2) + " in place of " +
-         rounded_text(tolerance, 2) + ", or with a smaller time.end";
+         ", often a third of it or less; shorter with " + remedy;
 }
 
 SheetLine::SheetLine(double tolerance, bool quiet) : tolerance_(tolerance), quiet_(quiet), progress_("sheet", quiet) {}

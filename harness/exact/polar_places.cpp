@@ -103,10 +103,11 @@ class PolarSlice final : public ExactSlice {
     return found;
   }
   ExactState state(const Vector3& X) const override { return solution_.state(X, t); }
-  bool has_parts() const override { return true; }
-  std::size_t part(const Vector3& X) const override {
+  bool has_parts(Smooth) const override { return true; }
+  std::size_t part(const Vector3& X, Smooth of) const override {
     const double R = std::hypot(X.x(), X.y());
     if (!ring_.holds(R)) return 0;
+    if (of == Smooth::motion) return 1;
     const double xi = ring_parameter(solution_.motion(), R).value;
     return 1 + static_cast<std::size_t>(std::lower_bound(fronts_.begin(), fronts_.end(), xi) - fronts_.begin());
   }

@@ -231,7 +231,7 @@ TEST(NodalLoads, ElementsThatAnEdgeCutsAreDivided) {
   for (const Shape shape : {Shape::triangle, Shape::quadrilateral}) {
     const auto exact = vortex(false, 2);
     const auto slice = exact->slice(now);
-    ASSERT_TRUE(slice->has_parts());
+    ASSERT_TRUE(slice->has_parts(ExactSlice::Smooth::stress));
     const ElementMesh mesh = lattice(shape, {1.1, 0.05, 0}, {1.4, 0.35, 0}, 4);
     const auto of = [&](const NodalLoadRule& rule) { return NodalLoads(mesh, rho, rule).at(*slice); };
     const auto wanted = of({4, 8});
