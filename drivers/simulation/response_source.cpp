@@ -156,15 +156,9 @@ ExactSolutionPtr exact_solution_of_points(const Scene& scene, const std::shared_
   return as_seen(scene, exact_solution_at_points(scene, material, end, quiet));
 }
 
-std::vector<ExactPoint> exact_points(const ExactSolution& exact, const std::vector<ReferencePoint>& points,
-                                     bool quiet) {
-  std::vector<PlaceAndTime> places;
-  for (const ReferencePoint& point : points) places.push_back({{point.X, point.Y, point.Z}, point.t});
-  Progress progress("eval", quiet);
-  return exact.at(places, [&](double share, const char* of) {
-    stop_if_interrupted();
-    progress.update(share, of);
-  });
+ExactSolutionPtr motion_alone(const Scene& scene) {
+  return as_seen(scene,
+                 exact_uniform(scene.motion, scene.material.density, [](double) -> Tensor { return Tensor::Zero(); }));
 }
 
 std::string long_sheet_sentence(double seconds, double tolerance) {

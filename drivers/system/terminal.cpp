@@ -19,7 +19,7 @@ namespace {
 bool lost = false;
 
 /// Beside stdio: a model that prints wide characters lets no others through.
-void put(const std::string& text) {
+void put(std::string_view text) {
   put_streams_right();
   std::fflush(stdout);
   lost = !adapters::write_all(user_output(), text) || lost;
@@ -28,6 +28,8 @@ void put(const std::string& text) {
 }  // namespace
 
 void print(std::string_view lines) { put(without_commands(lines, "<U+", ">")); }
+
+void print_bytes(std::string_view bytes) { put(bytes); }
 
 void print_json(std::string_view json) { put(without_commands(json, "\\u", "")); }
 
