@@ -11,7 +11,7 @@
 #include "drivers/output/point_table.hpp"
 #include "drivers/output/time_list.hpp"
 #include "drivers/scene/scene_reader.hpp"
-#include "drivers/simulation/point_fields.hpp"
+#include "drivers/simulation/exact_rows.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/warnings.hpp"
@@ -78,7 +78,7 @@ void add_hidden_columns(PointColumns& wanted, const std::vector<PointColumn>& al
   }
 }
 
-void write_table(PointFields& fields, PointReader& points, PointTable& table, std::uint64_t rows, std::size_t at_once,
+void write_table(ExactRows& exact, PointReader& points, PointTable& table, std::uint64_t rows, std::size_t at_once,
                  const EvalOptions& options) {
   Progress progress("eval", options.quiet() || prints_to_terminal());
   std::vector<ReferencePoint> block;
@@ -86,7 +86,7 @@ void write_table(PointFields& fields, PointReader& points, PointTable& table, st
   std::uint64_t done = 0;
   while (points.next(block, at_once)) {
     if (block.size() > rows - done) break;
-    fields.evaluate(block, values, [&](double share, const char* of) {
+    exact.evaluate(block, values, [&](double share, const char* of) {
       stop_if_interrupted();
       progress.update(
           (static_cast<double>(done) + share * static_cast<double>(block.size())) / static_cast<double>(rows), of);
@@ -100,6 +100,7 @@ void write_table(PointFields& fields, PointReader& points, PointTable& table, st
 /// end: set to the last time, as soon as it is known.
 void evaluate_points(const EvalOptions& options, double& end) {
   Scene scene = read_scene(options.scene, options.sets);
+  if (options.is_static) scene.force.inertia = mpm::Inertia::none;
   require_acceleration(scene);
   const std::string swing = swing_sentence(scene);
   if (!swing.empty()) std::fprintf(stderr, "warning: %s\n", swing.c_str());
@@ -113,8 +114,6 @@ void evaluate_points(const EvalOptions& options, double& end) {
   const PointsGiven& given = points.given();
   const bool three = scene.dimension == 3 || scene.motion->is_spatial();
   require_boxes_in_space(given, three, options.points);
-  if (options.without_inertia && given.boxes)
-    throw InputError({}, "--static", "cannot be combined with boxes HX,HY: leave these columns out");
   TableShape shape{wanted_columns(options.columns, three, given)};
   if (format == TableFormat::vtu) add_hidden_columns(shape.wanted, all_point_columns(three, given));
   Looked looked = look_at_points(points, times, scene, three, format == TableFormat::vtu, options);
@@ -125,7 +124,7 @@ void evaluate_points(const EvalOptions& options, double& end) {
   const auto material = material_of(scene, library);
   refuse_input_as_output(options.out, "-o");
   const std::vector<PointColumn> columns = shape.wanted.columns;
-  const PointNeeds needs(columns, given.boxes);
+  const RowNeeds needs(columns, given.boxes);
   const bool quiet = options.quiet();
   ExactSolutionPtr solution;
   if (needs.response()) {
@@ -135,11 +134,11 @@ void evaluate_points(const EvalOptions& options, double& end) {
   } else {
     solution = motion_alone(scene);
   }
-  PointFields fields(solution, columns, {scene.material.density, three, given.boxes, options.without_inertia});
+  ExactRows exact(solution, columns, {scene.material.density, three, given.boxes, scene.force.is_static()});
   const auto table = point_table(format, options.out, std::move(shape));
   const std::uint64_t rows = looked.points * std::max<std::size_t>(times.size(), 1);
   const bool related = given.boxes || (needs.response() && !solution->response());
-  write_table(fields, points, *table, rows, related ? related_at_once : points_at_once, options);
+  write_table(exact, points, *table, rows, related ? related_at_once : points_at_once, options);
   table->finish();
   Result process;
   record_process(*material, process);
@@ -163,7 +162,7 @@ Act add_eval_arguments(VerbArguments& verb) {
   add_value(verb, "--points", given->points, "FILE", "points: CSV, .npy or .npz with X,Y,t and more")->required();
   add_value(verb, "--times", given->times, "LIST|FILE", "times for all points, if they have no t", "*");
   add_value(verb, "--columns", given->columns, "NAME,...", "only these columns, in this order");
-  verb.app.add_flag("--static", given->without_inertia, "b without inertia, for quasi-static codes");
+  verb.app.add_flag("--static", given->is_static, "b without inertia, for quasi-static codes");
   add_out(verb, given->out, "FILE", ".csv, .npy, .npz or .vtu (default: standard output)");
   add_value(verb, "--format", given->format, "csv|npy|npz|vtu", "whatever the name of the file says",
             "csv npy npz vtu");

@@ -61,7 +61,8 @@ std::vector<ExactStress> stress_of_point(const Material& material, const AxisAli
     }
     for (std::size_t k = 0; k < times.size(); ++k) {
       const Tensor dtau = slope * difference({near[0][k], near[1][k], tau[k], near[3][k], near[4][k]});
-      stress[k].body_force -= dtau.col(d) / density;  // (DIV P)_i = d P_iJ / d X_J
+      stress[k].static_force -= dtau.col(d) / density;  // (DIV P)_i = d P_iJ / d X_J
+      stress[k].body_force -= dtau.col(d) / density;
     }
   }
   return stress;

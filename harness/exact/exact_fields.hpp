@@ -153,6 +153,9 @@ class ExactSolution {
 
   virtual ExactState state(const Vector3& X, double t) const { return motion_->at(X, t); }
 
+  /// The reference point that is at x at time t, to rounding; absent where no point of the motion is [m].
+  virtual std::optional<Vector3> reference_of(const Vector3& x, double t) const { return motion_->reference_of(x, t); }
+
   /// Lives no longer than the solution. Throws MaterialFailure, as its members do.
   virtual std::unique_ptr<const ExactSlice> slice(double t) const;
 

@@ -132,6 +132,10 @@ class FramedSolution final : public ExactSolution {
   ExactState state(const Vector3& X, double t) const override {
     return frame_.seen(own_->state(frame_.body_point(X), t), t);
   }
+  std::optional<Vector3> reference_of(const Vector3& x, double t) const override {
+    const auto own = own_->reference_of(frame_.body_position(x, t), t);
+    return own ? std::optional<Vector3>(frame_.rotation(0) * *own) : std::nullopt;
+  }
 
   std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const override {
     Frame frame = frame_;

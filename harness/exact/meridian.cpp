@@ -68,7 +68,8 @@ class MeridianSlice final : public ExactSlice {
     const Tensor B = p->axes(), QB = p->rotation(g_.value * p->profile.h) * B;
     stress.first_piola_kirchhoff = QB * (p->xi * response.tau_by_xi) * B.transpose();
     stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, found.state.F);
-    stress.body_force = found.state.a - QB * divergence_piola(*p, g_.value, response) / density_;
+    stress.static_force = -(QB * divergence_piola(*p, g_.value, response)) / density_;
+    stress.body_force = found.state.a + stress.static_force;
     return found;
   }
 

@@ -253,11 +253,17 @@ class PolarSolution final : public ExactSolution {
       const PolarMotion& polar = *motion_->polar();
       const Polar b = polar.widens() ? ring.body_force(density_, R, tau, dtau_dxi)
                                      : body_force(polar.profile(R), polar.turn().at(t), density_, R, tau, dtau_dxi);
+      const Polar div = ring.divergence(R, tau, dtau_dxi);
+      const AmplitudeValue held{.value = polar.turn().at(t).value};  // without rates there is no inertia
+      const Polar b_static = polar.widens() ? Polar{-div.r / density_, -div.theta / density_}
+                                            : body_force(polar.profile(R), held, density_, R, tau, dtau_dxi);
       const Tensor P = ring.first_piola_kirchhoff(X, tau);
-      Vector3 force = ring.cartesian(X, b);
-      if (R > 0)  // DIV(T) along E_z, of a direction out of the plane
-        force.z() -= (xi.slope * dtau_dxi(2, 0) + tau(2, 0) / R) / density_;
-      found.push_back({state, {P, cauchy_stress(P, state.F), force}});
+      Vector3 force = ring.cartesian(X, b), static_force = ring.cartesian(X, b_static);
+      if (R > 0) {  // DIV(T) along E_z, of a direction out of the plane
+        const double along_z = (xi.slope * dtau_dxi(2, 0) + tau(2, 0) / R) / density_;
+        force.z() -= along_z, static_force.z() -= along_z;
+      }
+      found.push_back({state, {P, cauchy_stress(P, state.F), force, static_force}});
     }
     return found;
   }

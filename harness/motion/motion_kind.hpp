@@ -40,6 +40,9 @@ class PolarMotion {
   virtual std::function<std::vector<double>(double)> radii_of_parameter() const {
     return [](double R) { return std::vector{R}; };
   }
+
+  /// The reference point that is at x at time t; absent where a ring that widens does not reach [m].
+  std::optional<Vector3> turned_back(const Vector3& x, double t) const;
 };
 
 /// What is wrong with a value of a scene.
@@ -96,6 +99,9 @@ class MotionKind {
   virtual std::optional<MotionFault> fault(const MotionUse&) const { return std::nullopt; }
 
   virtual ExactState at(const Vector3& X, double t) const = 0;
+  /// The inverse of it: the reference point X that is at x at time t, to rounding; absent where no point is [m].
+  /// Without a formula of its own a motion is followed from rest by Newton's method.
+  virtual std::optional<Vector3> reference_of(const Vector3& x, double t) const;
   virtual Path baseline() const = 0;
   virtual double period() const = 0;                  ///< T [s]; of a table the time of its last row
   virtual double own_parameter() const { return 1; }  ///< of the baseline, where F is the same everywhere

@@ -6,6 +6,7 @@
 
 #include "harness/motion/registry.hpp"
 #include "harness/numeric/number_text.hpp"
+#include "harness/numeric/rising_root.hpp"
 
 namespace assay {
 
@@ -50,6 +51,18 @@ ExactState AxisAligned::at(const Vector3& X, double t) const {
     state.F_rate(d, d) = g.rate * cosine;
   }
   return state;
+}
+
+Vector3 AxisAligned::reference_of(const Vector3& x, double t) const {
+  const Vector3 slope = strain(amplitude, t).value * s();
+  Vector3 X = x;
+  for (int d = 0; d < 3; ++d) {
+    const double farthest = std::abs(slope(d)) / pi;
+    X(d) = rising_root(x(d) - farthest, x(d) + farthest, x(d), [&](double at) {
+      return std::pair{at - x(d) + slope(d) * std::sin(pi * at) / pi, 1 + slope(d) * std::cos(pi * at)};
+    });
+  }
+  return X;
 }
 
 Tensor AxisAligned::acceleration_gradient(const Vector3& X, double t) const {
@@ -101,6 +114,7 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
   std::string_view type() const override { return m.one_dimensional ? "bar_1d" : "axis_aligned"; }
   double period() const override { return m.amplitude.period; }
   bool is_homogeneous() const override { return false; }
+  std::optional<Vector3> reference_of(const Vector3& x, double t) const override { return m.reference_of(x, t); }
   double length() const override { return 0.5; }  // from a symmetry plane to where cos(pi X) = 0
   const Amplitude* amplitude() const override { return &m.amplitude; }
   bool is_plane() const override { return m.s().z() == 0; }

@@ -97,6 +97,11 @@ class Vortex3dKind final : public MotionOf<Vortex3dKind, Vortex3d> {
   using MotionOf::MotionOf;
   std::string_view type() const override { return "vortex3d"; }
   double period() const override { return m.amplitude.period; }
+  /// Distances from axis and centre are kept: what turned is turned back.
+  std::optional<Vector3> reference_of(const Vector3& x, double t) const override {
+    const auto p = m.place(x);
+    return p ? state_of(*p, {.value = -m.amplitude.at(t).value}).x : x;
+  }
   const Amplitude* amplitude() const override { return &m.amplitude; }
   bool is_homogeneous() const override { return false; }
   bool is_plane() const override { return false; }

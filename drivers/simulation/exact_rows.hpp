@@ -7,27 +7,27 @@
 
 #include "drivers/output/point_columns.hpp"
 #include "drivers/simulation/box_forces.hpp"
-#include "harness/exact/exact_fields.hpp"
+#include "harness/exact/places.hpp"
 
 namespace assay::drivers {
 
 /// What must be computed for some columns.
-struct PointNeeds {
+struct RowNeeds {
   bool motion = false, stress = false;  ///< at the points
   bool box = false;
   bool response() const { return stress || box; }  ///< of the material
   /// boxes: b is a mean over them.
-  PointNeeds(const std::vector<PointColumn>& columns, bool boxes);
+  RowNeeds(const std::vector<PointColumn>& columns, bool boxes);
 };
 
-class PointFields {
+class ExactRows {
  public:
   struct Choice {
     double density = 0;  ///< rho0 [kg/m^3]
     bool three = false, boxes = false;
-    bool without_inertia = false;  ///< b is that of a body at rest, -DIV(P)/rho0
+    bool is_static = false;  ///< b is -DIV(P)/rho0
   };
-  PointFields(ExactSolutionPtr solution, std::vector<PointColumn> columns, const Choice& choice);
+  ExactRows(ExactSolutionPtr solution, std::vector<PointColumn> columns, const Choice& choice);
 
   /// Writes the columns of each point in the block's order, [point * columns + column]. Points of one time are asked
   /// together, and the last few times are kept. Throws MaterialFailure, Interrupted. between: as of ExactSolution.
@@ -41,14 +41,15 @@ class PointFields {
   };
   const ExactSlice& slice_at(double t);
   void exact_values(const std::vector<ReferencePoint>& block, const ExactSolution::Between& between);
+  void evaluate_at(double t, const std::vector<Vector3>& X, PointFields* into);
   double value(const PointColumn& column, const ReferencePoint& point, std::size_t i) const;
 
   ExactSolutionPtr solution_;
   std::vector<PointColumn> columns_;
   Choice choice_;
-  PointNeeds needs_;
+  RowNeeds needs_;
   std::list<Slice> slices_;  ///< the latest first
-  std::vector<ExactPoint> exact_;
+  std::vector<PointFields> fields_;
   std::vector<BoxForce> over_boxes_;
 };
 
