@@ -87,21 +87,42 @@ ReferencePoint PointReader::point() const {
   return point;
 }
 
+/// The next rows. Those of one time stay together, if they are no more than that.
+void PointReader::read_rows(std::vector<ReferencePoint>& block, std::size_t most) {
+  constexpr std::size_t enough = 1024;  // rows of one time, for a block of their own
+  if (!rows_) rows_ = rows_of_input();
+  if (ahead_) block.push_back(*std::exchange(ahead_, std::nullopt));
+  const auto goes_on = std::exchange(of_one_time_, std::nullopt);  // the rest of a time is a block, too
+  bool one_time = true;
+  while (block.size() < most && rows_->next(row_)) {
+    const ReferencePoint next = point();
+    const bool same = block.empty() || next.t == block.front().t;
+    if (one_time && !same && (block.size() >= enough || block.front().t == goes_on)) {
+      ahead_ = next;
+      return;
+    }
+    one_time = one_time && same;
+    block.push_back(next);
+  }
+  if (one_time && !block.empty()) of_one_time_ = block.front().t;
+}
+
 bool PointReader::next(std::vector<ReferencePoint>& block, std::size_t most) {
   block.clear();
+  if (times_.empty()) {
+    read_rows(block, most);
+    return !block.empty();
+  }
   while (block.empty()) {
-    if (!times_.empty() && time_ == times_.size()) return false;
-    if (is_all_) {
+    if (time_ == times_.size()) return false;
+    const bool begins = !rows_;
+    if (is_all_)
       block = all_;
-    } else {
-      if (!rows_) rows_ = rows_of_input();
-      while (block.size() < most && rows_->next(row_)) block.push_back(point());
-    }
+    else
+      read_rows(block, most);
     const bool ends = is_all_ || block.size() < most;
-    if (times_.empty()) return !block.empty();
-    if (!is_all_ && ends && all_.empty() && time_ == 0 && first_) all_ = block, is_all_ = true;
+    if (!is_all_ && begins && ends) all_ = block, is_all_ = true;
     for (ReferencePoint& point : block) point.t = times_[time_];
-    first_ = ends;
     if (ends) ++time_, rows_.reset();
   }
   return true;
@@ -110,7 +131,7 @@ bool PointReader::next(std::vector<ReferencePoint>& block, std::size_t most) {
 void PointReader::rewind(std::vector<double> times) {
   times_ = std::move(times);
   time_ = 0;
-  first_ = true;
+  ahead_.reset(), of_one_time_.reset();
   rows_.reset();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,8 @@ class PointReader {
 
   const PointsGiven& given() const { return given_; }
 
-  /// Replaces what is in the block by the next points, at most so many. False: there are none.
+  /// Replaces what is in the block by the next points, at most so many; points of one time, where there are many, have
+  /// blocks of their own. False: there are none.
   bool next(std::vector<ReferencePoint>& block, std::size_t most);
 
   double share() const { return rows_ ? rows_->share() : 1; }  ///< of the input that was read
@@ -47,6 +49,7 @@ class PointReader {
   std::unique_ptr<NumberRows> rows_of_input() const;
   void find_columns();
   ReferencePoint point() const;
+  void read_rows(std::vector<ReferencePoint>& block, std::size_t most);
 
   const InputBytes& input_;
   std::vector<double> times_;
@@ -55,8 +58,10 @@ class PointReader {
   std::unique_ptr<NumberRows> rows_;
   std::vector<double ReferencePoint::*> members_;  ///< of each column
   std::vector<double> row_;
-  std::vector<ReferencePoint> all_;     ///< where they are few: those of one time
-  bool is_all_ = false, first_ = true;  ///< first_: the next block begins a time
+  std::optional<ReferencePoint> ahead_;  ///< the first row of the next block
+  std::optional<double> of_one_time_;    ///< all rows of the last block, which is full
+  std::vector<ReferencePoint> all_;      ///< where they are few: those of one time
+  bool is_all_ = false;
 };
 
 }  // namespace assay::drivers

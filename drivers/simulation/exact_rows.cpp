@@ -20,6 +20,20 @@ bool has_one_of(const std::vector<PointColumn>& columns, std::initializer_list<Q
 /// Of the Cauchy stress: 11, 22, 33, 12, 13, 23 in the place of nine components.
 constexpr std::array<std::size_t, 9> place_in_six{0, 3, 4, 3, 1, 5, 4, 5, 2};
 
+/// Of a short list the one that fits, else a new one. It comes first, and the last one goes.
+template <class Kept>
+const Kept& latest(std::list<Kept>& kept, const auto& fits, const auto& made) {
+  constexpr std::size_t most = 8;
+  const auto found = std::ranges::find_if(kept, fits);
+  if (found != kept.end()) {
+    kept.splice(kept.begin(), kept, found);
+  } else {
+    kept.push_front(made());
+    if (kept.size() > most) kept.pop_back();
+  }
+  return kept.front();
+}
+
 }  // namespace
 
 RowNeeds::RowNeeds(const std::vector<PointColumn>& columns, bool boxes)
@@ -32,19 +46,17 @@ ExactRows::ExactRows(ExactSolutionPtr solution, std::vector<PointColumn> columns
     : solution_(std::move(solution)), columns_(std::move(columns)), choice_(choice), needs_(columns_, choice.boxes) {}
 
 const ExactSlice& ExactRows::slice_at(double t) {
-  constexpr std::size_t most = 8;
-  const auto found = std::ranges::find_if(slices_, [&](const Slice& each) { return each.t == t; });
-  if (found != slices_.end()) {
-    slices_.splice(slices_.begin(), slices_, found);
-  } else {
-    slices_.push_front({t, solution_->slice(t)});
-    if (slices_.size() > most) slices_.pop_back();
-  }
-  return *slices_.front().slice;
+  const auto is_there = [&](const Slice& each) { return each.t == t; };
+  return *latest(slices_, is_there, [&] { return Slice{t, solution_->slice(t)}; }).slice;
+}
+
+const ExactPlaces& ExactRows::places_at(const std::vector<Vector3>& X) {
+  const auto is_there = [&](const Places& each) { return each.X == X; };
+  return *latest(places_, is_there, [&] { return Places{X, std::make_unique<const ExactPlaces>(X)}; }).places;
 }
 
 /// All points of a time in one call.
-void ExactRows::evaluate_at(double t, const std::vector<Vector3>& X, PointFields* into) {
+void ExactRows::evaluate_at(double t, const ExactPlaces& places, PointFields* into) {
   FieldViews out = PointFields::views(into);
   const auto leave_out = [&](FieldView& view, std::initializer_list<Quantity> of) {
     if (!has_one_of(columns_, of)) view = {};
@@ -59,7 +71,7 @@ void ExactRows::evaluate_at(double t, const std::vector<Vector3>& X, PointFields
   leave_out(out.b, {Quantity::force});
   if (choice_.boxes || !choice_.is_static) out.static_force = {};
   leave_out(out.static_force, {Quantity::force});
-  ExactPlaces(X).evaluate(slice_at(t), 0, X.size(), out);
+  places.evaluate(slice_at(t), 0, places.size(), out);
 }
 
 void ExactRows::exact_values(const std::vector<ReferencePoint>& block, const ExactSolution::Between& between) {
@@ -87,9 +99,9 @@ void ExactRows::exact_values(const std::vector<ReferencePoint>& block, const Exa
     if (between) between(static_cast<double>(done) / static_cast<double>(n), "points");
     X.clear();
     for (const std::size_t i : some) X.push_back(place(i));
-    if (some.size() == n) return evaluate_at(t, X, fields_.data());
+    if (some.size() == n) return evaluate_at(t, places_at(X), fields_.data());
     of_time.resize(some.size());
-    evaluate_at(t, X, of_time.data());
+    evaluate_at(t, ExactPlaces(X), of_time.data());
     for (std::size_t k = 0; k < some.size(); ++k) fields_[some[k]] = of_time[k];
     done += some.size();
   }

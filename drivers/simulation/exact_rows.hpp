@@ -39,16 +39,22 @@ class ExactRows {
     double t;
     std::unique_ptr<const ExactSlice> slice;
   };
+  struct Places {
+    std::vector<Vector3> X;
+    std::unique_ptr<const ExactPlaces> places;
+  };
   const ExactSlice& slice_at(double t);
+  const ExactPlaces& places_at(const std::vector<Vector3>& X);
   void exact_values(const std::vector<ReferencePoint>& block, const ExactSolution::Between& between);
-  void evaluate_at(double t, const std::vector<Vector3>& X, PointFields* into);
+  void evaluate_at(double t, const ExactPlaces& places, PointFields* into);
   double value(const PointColumn& column, const ReferencePoint& point, std::size_t i) const;
 
   ExactSolutionPtr solution_;
   std::vector<PointColumn> columns_;
   Choice choice_;
   RowNeeds needs_;
-  std::list<Slice> slices_;  ///< the latest first
+  std::list<Slice> slices_;   ///< the latest first
+  std::list<Places> places_;  ///< likewise: many tables have the same points at each time
   std::vector<PointFields> fields_;
   std::vector<BoxForce> over_boxes_;
 };

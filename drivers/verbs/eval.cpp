@@ -27,7 +27,7 @@ namespace assay::drivers {
 
 namespace {
 
-constexpr std::size_t points_at_once = 4096;
+constexpr std::size_t points_at_once = 16'384;
 /// Of boxes, whose neighbours share faces, and of points with histories, which are followed once for all their times:
 /// both within a block alone.
 constexpr std::size_t related_at_once = 65'536;
@@ -159,12 +159,12 @@ std::string hint_of(const EvalOptions& options, double end) {
 Act add_eval_arguments(VerbArguments& verb) {
   const auto given = std::make_shared<EvalOptions>();
   add_scene(verb, *given);
-  add_value(verb, "--points", given->points, "FILE", "points: CSV, .npy or .npz with X,Y,t and more")->required();
-  add_value(verb, "--times", given->times, "LIST|FILE", "times for all points, if they have no t", "*");
+  add_value(verb, "--points", given->points, "FILE", "reference points X,Y,t and more: CSV, .npy or .npz")->required();
+  add_value(verb, "--times", given->times, "TIMES", "0,.1,.2 or a file: times for points without t", "*");
   add_value(verb, "--columns", given->columns, "NAME,...", "only these columns, in this order");
   verb.app.add_flag("--static", given->is_static, "b without inertia, for quasi-static codes");
   add_out(verb, given->out, "FILE", ".csv, .npy, .npz or .vtu (default: standard output)");
-  add_value(verb, "--format", given->format, "csv|npy|npz|vtu", "whatever the name of the file says",
+  add_value(verb, "--format", given->format, "FORMAT", "csv, npy, npz or vtu, whatever the file is called",
             "csv npy npz vtu");
   return act_of(given, eval);
 }

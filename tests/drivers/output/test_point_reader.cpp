@@ -86,6 +86,25 @@ TEST_F(PointReaderTest, TimesStandInAColumnOrForAllPoints) {
   }
 }
 
+/// So that a solution is asked for all points of a time at once.
+TEST_F(PointReaderTest, ManyPointsOfATimeHaveBlocksOfTheirOwn) {
+  std::string text = "X,Y,t\n";
+  for (int k = 0; k < 9900; ++k) text += std::to_string(k) + ",0," + std::to_string(k / 3300) + "\n";
+  const InputBytes input(scratch_.write("p.csv", text));
+  PointReader reader(input);
+  std::vector<ReferencePoint> block;
+  std::vector<std::size_t> sizes;
+  int row = 0;
+  while (reader.next(block, 3000)) {
+    sizes.push_back(block.size());
+    for (const ReferencePoint& point : block) {
+      EXPECT_EQ(point.t, block.front().t);
+      EXPECT_EQ(point.X, row++);
+    }
+  }
+  EXPECT_EQ(sizes, (std::vector<std::size_t>{3000, 300, 3000, 300, 3000, 300}));
+}
+
 /// More than the piece of a file that is held: rows and remarks lie across its ends.
 TEST_F(PointReaderTest, ReadsFilesOfAnyLength) {
   constexpr int rows = 120'000;
