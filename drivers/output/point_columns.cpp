@@ -58,7 +58,7 @@ PointField field_of(Quantity quantity, const std::vector<PointColumn>& columns) 
 [[noreturn]] void refuse_column(const std::string& name, const std::vector<PointColumn>& all) {
   const std::string quoted = "column '" + shown(name, 40) + "'";
   const auto named = [&](const PointColumn& column) { return column.name == name; };
-  const std::vector<PointColumn> every = all_point_columns(true, {true, true, true, true, true});
+  const std::vector<PointColumn> every = all_point_columns(true, {true, true, true, true, true, true});
   const auto found = std::ranges::find_if(every, named);
   if (found != every.end() || name == "traction" || name == "V" || name == "m") {
     const bool is_traction = name == "traction" || (found != every.end() && found->quantity == Quantity::traction);

@@ -61,7 +61,7 @@ void PointReader::find_columns() {
     const std::string both = letter + "X and " + letter + "Y";
     refuse(Z_of ? letter + "Z only comes with " + both : both + " only come together");
   }
-  given_ = {has("Z"), has("t"), has("NX"), has("HX"), has("HZ")};
+  given_ = {has("Z"), has("t"), has("NX"), has("NZ"), has("HX"), has("HZ")};
   if (given_.times && !times_.empty())
     throw InputError({}, "--times", "the points have a column t: leave out the column or the option");
   if (!given_.times && times_.empty()) refuse(std::string("no column 't': ") + both_ways);
@@ -82,7 +82,8 @@ ReferencePoint PointReader::point() const {
     if (!given_.third_edge) point.HZ = point.HX;
     refuse_if(!(std::min({point.HX, point.HY, point.HZ}) > 0), {}, "the half edges HX, HY, HZ must be greater than 0");
   }
-  refuse_if(given_.normals && point.NX == 0 && point.NY == 0 && point.NZ == 0, {}, "the normal NX,NY has no length");
+  refuse_if(given_.normals && point.NX == 0 && point.NY == 0 && point.NZ == 0, {},
+            std::string("the normal NX,NY") + (given_.third_normal ? ",NZ" : "") + " has no length");
   refuse_if(point.t < 0, "t", "negative: histories begin at t = 0");
   return point;
 }

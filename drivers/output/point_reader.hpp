@@ -22,7 +22,7 @@ struct ReferencePoint {
 };
 
 struct PointsGiven {
-  bool z = false, times = false, normals = false, boxes = false, third_edge = false;
+  bool z = false, times = false, normals = false, third_normal = false, boxes = false, third_edge = false;
 };
 
 /// CSV with columns X,Y and perhaps t, Z, NX and NY (both or neither), with them perhaps NZ, not all zero; HX and HY

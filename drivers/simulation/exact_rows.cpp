@@ -2,9 +2,9 @@
 #include "drivers/simulation/exact_rows.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "drivers/system/interrupt.hpp"
+#include "drivers/text/words.hpp"
 #include "harness/numeric/norms.hpp"
 
 namespace assay::drivers {
@@ -45,21 +45,11 @@ RowNeeds::RowNeeds(const std::vector<PointColumn>& columns, bool boxes)
 ExactRows::ExactRows(ExactSolutionPtr solution, std::vector<PointColumn> columns, const Choice& choice)
     : solution_(std::move(solution)), columns_(std::move(columns)), choice_(choice), needs_(columns_, choice.boxes) {}
 
-const ExactSlice& ExactRows::slice_at(double t) {
-  const auto is_there = [&](const Slice& each) { return each.t == t; };
-  return *latest(slices_, is_there, [&] { return Slice{t, solution_->slice(t)}; }).slice;
-}
-
-const ExactPlaces& ExactRows::places_at(const std::vector<Vector3>& X) {
-  const auto is_there = [&](const Places& each) { return each.X == X; };
-  return *latest(places_, is_there, [&] { return Places{X, std::make_unique<const ExactPlaces>(X)}; }).places;
-}
-
-/// All points of a time in one call.
-void ExactRows::evaluate_at(double t, const ExactPlaces& places, PointFields* into) {
-  FieldViews out = PointFields::views(into);
-  const auto leave_out = [&](FieldView& view, std::initializer_list<Quantity> of) {
-    if (!has_one_of(columns_, of)) view = {};
+/// What is wanted of points, the first of which is there.
+FieldViews ExactRows::wanted_of(PointFields* first) const {
+  FieldViews out = PointFields::views(first);
+  const auto leave_out = [&](FieldView& view, std::initializer_list<Quantity> of, bool absent = false) {
+    if (absent || !has_one_of(columns_, of)) view = {};
   };
   leave_out(out.x, {Quantity::position});
   leave_out(out.v, {Quantity::velocity});
@@ -67,44 +57,40 @@ void ExactRows::evaluate_at(double t, const ExactPlaces& places, PointFields* in
   leave_out(out.F, {Quantity::gradient});
   leave_out(out.P, {Quantity::piola, Quantity::traction});
   leave_out(out.sigma, {Quantity::cauchy});
-  if (choice_.boxes || choice_.is_static) out.b = {};
-  leave_out(out.b, {Quantity::force});
-  if (choice_.boxes || !choice_.is_static) out.static_force = {};
-  leave_out(out.static_force, {Quantity::force});
-  places.evaluate(slice_at(t), 0, places.size(), out);
+  leave_out(out.b, {Quantity::force}, choice_.boxes || choice_.is_static);
+  leave_out(out.static_force, {Quantity::force}, choice_.boxes || !choice_.is_static);
+  return out;
+}
+
+/// All points of a time in one call.
+void ExactRows::evaluate_at(double t, const std::vector<Vector3>& X, const FieldViews& out) {
+  const ExactSlice& now = *latest(
+                               slices_, [&](const Slice& each) { return each.t == t; },
+                               [&] {
+                                 return Slice{t, solution_->slice(t)};
+                               })
+                               .slice;
+  const ExactPlaces& here = *latest(
+                                 places_, [&](const Places& each) { return each.X == X; },
+                                 [&] {
+                                   return Places{X, solution_->places(X)};
+                                 })
+                                 .places;
+  here.evaluate(now, 0, here.size(), out);
 }
 
 void ExactRows::exact_values(const std::vector<ReferencePoint>& block, const ExactSolution::Between& between) {
-  const std::size_t n = block.size();
-  fields_.resize(n);
-  const auto place = [&](std::size_t i) { return Vector3(block[i].X, block[i].Y, block[i].Z); };
-  const auto put = [&](std::size_t i, const ExactPoint& point) { PointFields::views(&fields_[i]).put(0, point); };
-  if (!needs_.stress) {
-    for (std::size_t i = 0; needs_.motion && i < n; ++i) put(i, {solution_->state(place(i), block[i].t), {}});
-    return;
-  }
-  if (!solution_->response()) {  // histories, which the solution puts in an order
-    std::vector<PlaceAndTime> places;
-    for (std::size_t i = 0; i < n; ++i) places.push_back({place(i), block[i].t});
-    const std::vector<ExactPoint> found = solution_->at(places, between);
-    for (std::size_t i = 0; i < n; ++i) put(i, found[i]);
-    return;
-  }
-  std::map<double, std::vector<std::size_t>> by_time;
-  for (std::size_t i = 0; i < n; ++i) by_time[block[i].t].push_back(i);
-  std::vector<Vector3> X;
-  std::vector<PointFields> of_time;
-  std::size_t done = 0;
-  for (const auto& [t, some] : by_time) {
-    if (between) between(static_cast<double>(done) / static_cast<double>(n), "points");
-    X.clear();
-    for (const std::size_t i : some) X.push_back(place(i));
-    if (some.size() == n) return evaluate_at(t, places_at(X), fields_.data());
-    of_time.resize(some.size());
-    evaluate_at(t, ExactPlaces(X), of_time.data());
-    for (std::size_t k = 0; k < some.size(); ++k) fields_[some[k]] = of_time[k];
-    done += some.size();
-  }
+  fields_.resize(block.size());
+  if (!needs_.motion && !needs_.stress) return;
+  const FieldViews out = wanted_of(fields_.data());
+  const auto place = [](const ReferencePoint& point) { return Vector3(point.X, point.Y, point.Z); };
+  const auto same = [&](const ReferencePoint& point) { return point.t == block.front().t; };
+  const bool follows_histories = needs_.stress && !solution_->response();  // best all times of a place together
+  if (!follows_histories && std::ranges::all_of(block, same))
+    return evaluate_at(block.front().t, mapped(block, place), out);
+  std::vector<PlaceAndTime> places;
+  for (const ReferencePoint& point : block) places.push_back({place(point), point.t});
+  solution_->evaluate(places, out, between);
 }
 
 double ExactRows::value(const PointColumn& column, const ReferencePoint& point, std::size_t i) const {

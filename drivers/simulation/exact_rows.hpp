@@ -43,10 +43,9 @@ class ExactRows {
     std::vector<Vector3> X;
     std::unique_ptr<const ExactPlaces> places;
   };
-  const ExactSlice& slice_at(double t);
-  const ExactPlaces& places_at(const std::vector<Vector3>& X);
+  FieldViews wanted_of(PointFields* first) const;
   void exact_values(const std::vector<ReferencePoint>& block, const ExactSolution::Between& between);
-  void evaluate_at(double t, const ExactPlaces& places, PointFields* into);
+  void evaluate_at(double t, const std::vector<Vector3>& X, const FieldViews& out);
   double value(const PointColumn& column, const ReferencePoint& point, std::size_t i) const;
 
   ExactSolutionPtr solution_;

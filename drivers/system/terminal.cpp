@@ -17,6 +17,7 @@ namespace assay::drivers {
 namespace {
 
 bool lost = false;
+thread_local KeptWarnings* keeper_of_warnings = nullptr;
 
 /// Beside stdio: a model that prints wide characters lets no others through.
 void put(std::string_view text) {
@@ -37,7 +38,11 @@ bool prints_to_terminal() { return ::isatty(user_output()) == 1; }
 
 bool all_is_printed() { return !lost; }
 
+KeptWarnings::KeptWarnings() { keeper_of_warnings = this; }
+KeptWarnings::~KeptWarnings() { keeper_of_warnings = nullptr; }
+
 void warn(std::string_view sentence) {
+  if (keeper_of_warnings) return keeper_of_warnings->sentences_.push_back(one_line(sentence));
   put_streams_right();
   std::fprintf(stderr, "warning: %s\n", one_line(sentence).c_str());
 }

@@ -30,6 +30,20 @@ bool all_is_printed();
 /// "warning: SENTENCE" on standard error, one line.
 void warn(std::string_view sentence);
 
+/// While one lives, what this thread warns of is kept in it and not printed. At most one a thread.
+class KeptWarnings {
+ public:
+  KeptWarnings();
+  KeptWarnings(const KeptWarnings&) = delete;
+  KeptWarnings& operator=(const KeptWarnings&) = delete;
+  ~KeptWarnings();
+  const std::vector<std::string>& sentences() const { return sentences_; }
+
+ private:
+  friend void warn(std::string_view sentence);
+  std::vector<std::string> sentences_;
+};
+
 /// One text that a verb tells, and where it goes.
 struct Page {
   std::string file;  ///< "-": standard output; empty: none

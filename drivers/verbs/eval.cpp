@@ -3,6 +3,7 @@
 // needs does not depend on the number of rows.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "drivers/command_line/verb.hpp"
@@ -39,8 +40,36 @@ struct Looked {
   std::map<double, std::uint64_t> rows_at = {};  ///< of each time, where it is asked for
 };
 
-/// A box in the plane has no third edge, and one in space has.
-void require_boxes_in_space(const PointsGiven& given, bool three, const std::string& file) {
+/// How many values of a table are no finite numbers, and the first of them.
+class EmptyFields {
+ public:
+  explicit EmptyFields(const std::vector<PointColumn>& columns) : names_(mapped(columns, &PointColumn::name)) {}
+
+  void add(std::span<const double> values, const std::vector<ReferencePoint>& block) {
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (std::isfinite(values[k])) continue;
+      if (count_++ == 0) column_ = names_[k % names_.size()], line_ = block[k / names_.size()].line;
+    }
+    of_ += values.size();
+  }
+  void tell() const {
+    if (count_ == 0) return;
+    warn(std::to_string(count_) + " of " + std::to_string(of_) + " values are not finite and stay empty, first " +
+         column_ + " of line " + std::to_string(line_) +
+         " of the points: a time, speed or size of the scene is so small or large that its powers are no numbers");
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::uint64_t count_ = 0, of_ = 0;
+  std::string column_;
+  int line_ = 0;  ///< of the points
+};
+
+/// A box in the plane has no third edge, and one in space has; so has a normal in space a third component.
+void require_columns_in_space(const PointsGiven& given, const Scene& scene, bool three, const std::string& file) {
+  if (scene.dimension == 3 && given.normals && !given.third_normal)
+    throw InputError({file, 1, 1}, "NX", "normals in three dimensions need NZ");
   if (!given.boxes || given.third_edge == three) return;
   throw InputError({file, 1, 1}, three ? "HX" : "HZ",
                    three ? "boxes in three dimensions need HZ" : "boxes of a plane scene have HX and HY alone");
@@ -79,7 +108,7 @@ void add_hidden_columns(PointColumns& wanted, const std::vector<PointColumn>& al
 }
 
 void write_table(ExactRows& exact, PointReader& points, PointTable& table, std::uint64_t rows, std::size_t at_once,
-                 const EvalOptions& options) {
+                 EmptyFields& empty, const EvalOptions& options) {
   Progress progress("eval", options.quiet() || prints_to_terminal());
   std::vector<ReferencePoint> block;
   std::vector<double> values;
@@ -93,6 +122,7 @@ void write_table(ExactRows& exact, PointReader& points, PointTable& table, std::
     });
     done += block.size();
     table.add(values);
+    empty.add(values, block);
   }
   if (done != rows) throw InputError({options.points, 0, 0}, "", "was changed while it was read");
 }
@@ -100,7 +130,7 @@ void write_table(ExactRows& exact, PointReader& points, PointTable& table, std::
 /// end: set to the last time, as soon as it is known.
 void evaluate_points(const EvalOptions& options, double& end) {
   Scene scene = read_scene(options.scene, options.sets);
-  if (options.is_static) scene.force.inertia = mpm::Inertia::none;
+  if (options.is_static) scene.force.quasi_static = true;
   require_acceleration(scene);
   const std::string swing = swing_sentence(scene);
   if (!swing.empty()) std::fprintf(stderr, "warning: %s\n", swing.c_str());
@@ -113,7 +143,7 @@ void evaluate_points(const EvalOptions& options, double& end) {
   PointReader points(input, times);
   const PointsGiven& given = points.given();
   const bool three = scene.dimension == 3 || scene.motion->is_spatial();
-  require_boxes_in_space(given, three, options.points);
+  require_columns_in_space(given, scene, three, options.points);
   TableShape shape{wanted_columns(options.columns, three, given)};
   if (format == TableFormat::vtu) add_hidden_columns(shape.wanted, all_point_columns(three, given));
   Looked looked = look_at_points(points, times, scene, three, format == TableFormat::vtu, options);
@@ -132,17 +162,19 @@ void evaluate_points(const EvalOptions& options, double& end) {
     if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
     solution = exact_solution_of_points(scene, material, end, quiet);
   } else {
-    solution = motion_alone(scene);
+    solution = motion_alone(scene, material);
   }
-  ExactRows exact(solution, columns, {scene.material.density, three, given.boxes, scene.force.is_static()});
+  EmptyFields empty(columns);
+  ExactRows exact(solution, columns, {scene.material.density, three, given.boxes, scene.force.quasi_static});
   const auto table = point_table(format, options.out, std::move(shape));
   const std::uint64_t rows = looked.points * std::max<std::size_t>(times.size(), 1);
   const bool related = given.boxes || (needs.response() && !solution->response());
-  write_table(exact, points, *table, rows, related ? related_at_once : points_at_once, options);
+  write_table(exact, points, *table, rows, related ? related_at_once : points_at_once, empty, options);
   table->finish();
   Result process;
   record_process(*material, process);
   for (const std::string& warning : process.warnings) warn(warning);
+  empty.tell();
 }
 
 /// The command that leaves the step at which the material failed, as this verb writes no folder.

@@ -149,7 +149,8 @@ void NodalLoads::integrate(const ExactSlice& slice, std::span<const std::int64_t
       force[at_corners[k]] += volume * (MultilinearMap<Dim>::weight(k, u) * inertia + P * gradient);
     }
   };
-  for_each_gauss_point<Dim>(slice, map, gauss_, Dim == 3 ? rule_.divisions / 2 : rule_.divisions, {}, add);
+  for_each_gauss_point<Dim>(slice, ExactSlice::Smooth::stress, map, gauss_,
+                            Dim == 3 ? rule_.divisions / 2 : rule_.divisions, {}, add);
 }
 
 std::vector<Vector3> NodalLoads::at(const ExactSlice& slice, const InPieces& pieces) const {

@@ -64,6 +64,7 @@ TEST_F(PointReaderTest, ReadsPointsWithoutAndWithNormals) {
 TEST_F(PointReaderTest, RefusesHalfANormalAndNone) {
   EXPECT_NE(refusal("X,Y,t,NX\n1,2,3,1\n").find("p.csv:1:1: NX and NY only come together"), std::string::npos);
   EXPECT_NE(refusal("X,Y,t,NX,NY\n1,2,3,0,0\n").find("p.csv:2:1: the normal NX,NY has no length"), std::string::npos);
+  EXPECT_NE(refusal("X,Y,Z,t,NX,NY,NZ\n1,2,3,4,0,0,0\n").find("the normal NX,NY,NZ has no length"), std::string::npos);
   EXPECT_NE(refusal("X,Y,t,HX,HY\n1,2,3,0,1\n").find("p.csv:2:1: the half edges"), std::string::npos);
   EXPECT_NE(refusal("X,Y,t\n1,2,3\n1,2,-3\n").find("p.csv:3:1: t: negative"), std::string::npos);
   EXPECT_NE(refusal("X,Y,t\n1,2,3\n1,2,x\n").find("p.csv:3:5: t: 'x' is no finite number"), std::string::npos);
