@@ -90,15 +90,22 @@ bool is_smooth(const ExactSlice& slice, ExactSlice::Smooth of, const Multilinear
   return one;
 }
 
+/// Whether a piece is to be divided, which may be done so many times.
+template <int Dim>
+bool is_divided(const ExactSlice& slice, ExactSlice::Smooth of, const MultilinearMap<Dim>& map, int divisions,
+                const PieceOfCube<Dim>& piece = {}) {
+  constexpr std::size_t looks_first = 4, looks = 3;  // along each direction; of a whole face, and of its pieces
+  return divisions > 0 && slice.has_parts(of) &&
+         !is_smooth(slice, of, map, piece, piece.size == 1 ? looks_first : looks);
+}
+
 /// visit(u, weight) at Gauss points, of pieces that are halved in all directions where what is integrated is not
 /// smooth.
 template <int Dim>
 void for_each_gauss_point(const ExactSlice& slice, ExactSlice::Smooth of, const MultilinearMap<Dim>& map,
                           std::span<const GaussPoint> gauss, int divisions, const PieceOfCube<Dim>& piece,
                           const auto& visit) {
-  constexpr std::size_t looks_first = 4, looks = 3;  // along each direction; of a whole face, and of its pieces
-  if (divisions > 0 && slice.has_parts(of) &&
-      !is_smooth(slice, of, map, piece, piece.size == 1 ? looks_first : looks)) {
+  if (is_divided(slice, of, map, divisions, piece)) {
     for_each_share<Dim>(2, [&](const std::array<std::size_t, Dim>& index) {
       PieceOfCube<Dim> half{piece.lower, 0.5 * piece.size};
       for (std::size_t d = 0; d < Dim; ++d) half.lower[d] += half.size * static_cast<double>(index[d]);
