@@ -42,8 +42,8 @@ int visit_points(const assay_points& points, double t, std::size_t first, std::s
 
 extern "C" {
 
-int assay_points_open(const assay_problem* problem, size_t n, int components, const assay_const_field* X,
-                      assay_points** points, assay_error* error) {
+ASSAY_API int assay_points_open(const assay_problem* problem, size_t n, int components, const assay_const_field* X,
+                                assay_points** points, assay_error* error) {
   if (points) *points = nullptr;
   return call_of_library(error, [&] {
     refuse_call_if(!points, "points", "must not be null");
@@ -60,10 +60,10 @@ int assay_points_open(const assay_problem* problem, size_t n, int components, co
   });
 }
 
-void assay_points_close(assay_points* points) { close_handle(points, HandleMark::points); }
+ASSAY_API void assay_points_close(assay_points* points) { close_handle(points, HandleMark::points); }
 
-int assay_eval(const assay_points* points, double t, size_t first, size_t count, const assay_view* out,
-               assay_error* error) {
+ASSAY_API int assay_eval(const assay_points* points, double t, size_t first, size_t count, const assay_view* out,
+                         assay_error* error) {
   return call_of_library(error, [&] {
     const assay_points& known = known_handle(points, HandleMark::points, "points");
     const HostViews views(out, known.problem->dimension());
@@ -76,8 +76,8 @@ int assay_eval(const assay_points* points, double t, size_t first, size_t count,
   });
 }
 
-int assay_tractions(const assay_points* points, double t, size_t first, size_t count, const assay_const_field* N,
-                    const assay_field* traction, assay_error* error) {
+ASSAY_API int assay_tractions(const assay_points* points, double t, size_t first, size_t count,
+                              const assay_const_field* N, const assay_field* traction, assay_error* error) {
   return call_of_library(error, [&] {
     const assay_points& known = known_handle(points, HandleMark::points, "points");
     check_range(known, first, count);
@@ -96,8 +96,9 @@ int assay_tractions(const assay_points* points, double t, size_t first, size_t c
   });
 }
 
-int assay_at_current(const assay_problem* problem, double t, size_t n, int components, const assay_const_field* x,
-                     const assay_field* X, const assay_view* out, assay_error* error) {
+ASSAY_API int assay_at_current(const assay_problem* problem, double t, size_t n, int components,
+                               const assay_const_field* x, const assay_field* X, const assay_view* out,
+                               assay_error* error) {
   return call_of_library(error, [&] {
     const ExactProblem& known = *known_handle(problem, HandleMark::problem, "problem").shared;
     const HostViews views(out, known.dimension());
