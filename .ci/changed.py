@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a change touches, and which of the deep checks it calls for (docs/development.md, "Which check is where").
 
-usage: changed.py BASE checks               names of deep checks, a line each: spine mutants long package bench
+usage: changed.py BASE checks               names of deep checks, a line each: spine mutants long foreign package bench
        changed.py BASE sources [PREFIX...]  sources that changed or that read a header that changed, below the prefixes
        changed.py BASE files                all that changed
 
@@ -23,8 +23,9 @@ CALLS = {
                    r"bench/(compare_spine|minimal_step|effect_scenes)|configs/paper/",
     "mutants": HOW + r"drivers/|mpm/|adapters/|harness/|tests/fuzz/",
     "long": HOW + r"drivers/|mpm/|adapters/|harness/|tests/|configs/|docs/check[.]md",
+    "foreign": r"drivers/library/|tests/foreign",
     "bench": HOW + r"bench/",
-    "package": HOW + r"tests/(package|downstream)/|harness/assay_material|adapters/(models|abaqus)/|drivers/library/|completions/|configs/|"
+    "package": HOW + r"tests/(package|downstream)/|harness/assay_material|drivers/library/|adapters/(models|abaqus)/|completions/|configs/|"
                      r"docs/assay[.]1|README|LICENSE|THIRD_PARTY|CHANGELOG",
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)

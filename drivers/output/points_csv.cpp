@@ -33,7 +33,7 @@ ReferencePoints read_reference_points(const std::string& file) {
   require_together(HX, HY, HZ, "H");
   ReferencePoints out;
   out.has_z = Z != nullptr;
-  out.has_normals = NX != nullptr;
+  out.has_normals = NX != nullptr, out.has_third_normal = NZ != nullptr;
   out.has_boxes = HX != nullptr, out.has_third_edge = HZ != nullptr;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     ReferencePoint point{(*X)[i], (*Y)[i], Z ? (*Z)[i] : 0, (*t)[i]};
@@ -45,7 +45,8 @@ ReferencePoints read_reference_points(const std::string& file) {
     if (HX && !(std::min({point.HX, point.HY, point.HZ}) > 0))
       throw InputError(Location{file, table.lines[i], 1}, {}, "the half edges HX, HY, HZ must be greater than 0");
     if (NX && point.NX == 0 && point.NY == 0 && point.NZ == 0) {
-      throw InputError(Location{file, table.lines[i], 1}, {}, "the normal NX,NY has no length");
+      throw InputError(Location{file, table.lines[i], 1}, {},
+                       std::string("the normal NX,NY") + (NZ ? ",NZ" : "") + " has no length");
     }
     require_time(point.t, table, i);
     out.points.push_back(point);

@@ -18,7 +18,7 @@ struct ReferencePoint {
 
 struct ReferencePoints {
   std::vector<ReferencePoint> points;
-  bool has_z = false, has_normals = false, has_boxes = false, has_third_edge = false;
+  bool has_z = false, has_normals = false, has_third_normal = false, has_boxes = false, has_third_edge = false;
 };
 
 /// Columns X,Y,t and perhaps Z, NX and NY (both or neither), with them perhaps NZ, not all zero; HX and HY likewise,

@@ -83,20 +83,19 @@ struct ForceChoice {
   Response response = Response::sheet;
   Evaluation evaluation = Evaluation::domain_average;
   mpm::Inertia inertia = mpm::Inertia::grid;
+  bool quasi_static = false;
   int radii = 400;
   bool cache = true;
   double tolerance = 1e-8;
-
-  bool is_static() const { return inertia == mpm::Inertia::none; }  ///< b is -DIV(T)/rho0
 
   void keys(auto& key) {
     key("response", "source of the stress tau on the baseline path; none: no body force", response);
     key("evaluation", "body force at the particle's reference position, or averaged over its reference domain",
         evaluation);
-    key("inertia",
-        "grid: all of b acts through the grid; particles: they receive its part a (uses the exact solution); none: b "
-        "without a, which eval gives to quasi-static codes",
+    key("inertia", "grid: all of b acts through the grid; particles: they receive its part a (uses the exact solution)",
         inertia);
+    key("quasi_static", "b without the acceleration, as eval gives it to codes without inertia; no run is that",
+        quasi_static);
     key("radii", "number of histories that response: shadow steps during the run", radii,
         {.range = {.lower = 4, .upper = 1e6, .whole = true}});
     key("cache", "keep the sheet on disk and reuse it in later runs", cache);

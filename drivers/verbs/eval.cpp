@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
@@ -62,14 +63,35 @@ void visit_columns(const ReferencePoint& point, const ExactPoint& exact, const B
   vector("t", exact.stress.first_piola_kirchhoff * N);  // the traction per reference area [Pa]
 }
 
+/// How many values of a table are no finite numbers, and so are empty fields of it, and the first of them.
+struct EmptyFields {
+  std::size_t count = 0, of = 0;
+  std::string column;
+  int line = 0;  ///< of the points
+
+  void add(const std::string& name, double value, const ReferencePoint& point) {
+    ++of;
+    if (std::isfinite(value)) return;
+    if (count++ == 0) column = name, line = point.line;
+  }
+  void tell() const {
+    if (count == 0) return;
+    warn(std::to_string(count) + " of " + std::to_string(of) + " values are not finite and stay empty, first " +
+         column + " of line " + std::to_string(line) +
+         " of the points: a time, speed or size of the scene is so small or large that its powers are no numbers");
+  }
+};
+
 double last_time(const ReferencePoints& points, double otherwise) {
   double last = 0;
   for (const ReferencePoint& point : points.points) last = std::max(last, point.t);
   return last > 0 ? last : otherwise;
 }
 
-/// A box in the plane has no third edge, and one in space has.
-void require_boxes_in_space(const ReferencePoints& points, bool three, const std::string& file) {
+/// A box in the plane has no third edge, and one in space has; so has a normal in space a third component.
+void require_columns_in_space(const ReferencePoints& points, const Scene& scene, bool three, const std::string& file) {
+  if (scene.dimension == 3 && points.has_normals && !points.has_third_normal)
+    throw InputError({file, 1, 1}, "NX", "normals in three dimensions need NZ");
   if (!points.has_boxes || points.has_third_edge == three) return;
   throw InputError({file, 1, 1}, three ? "HX" : "HZ",
                    three ? "boxes in three dimensions need HZ" : "boxes of a plane scene have HX and HY alone");
@@ -91,30 +113,35 @@ std::string evaluated(const EvalOptions& options) {
   warn_of_instability(scene, *material, end, quiet);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
   const bool three = scene.dimension == 3 || scene.motion->is_spatial();
-  require_boxes_in_space(points, three, options.points);
+  require_columns_in_space(points, scene, three, options.points);
   if (points.has_boxes) require_boxes(scene.motion, points.points, three, options.points);
   const auto solution = exact_solution_of_points(scene, material, end, quiet);
   std::vector<ExactPoint> exact = exact_points(*solution, points.points, quiet);
-  const bool is_static = scene.force.is_static();
+  const bool quasi_static = scene.force.quasi_static;
   for (ExactPoint& point : exact) {
-    if (is_static) point.stress.body_force = point.stress.static_force;
+    if (quasi_static) point.stress.body_force = point.stress.static_force;
   }
   std::vector<BoxForce> over_boxes;
-  if (points.has_boxes) over_boxes = box_forces(*solution, scene.material.density, points.points, three, is_static);
+  if (points.has_boxes) over_boxes = box_forces(*solution, scene.material.density, points.points, three, quasi_static);
   const BoxForce no_box;
   std::vector<std::string> names;
   visit_columns({}, {}, points.has_boxes ? &no_box : nullptr, three, points.has_normals,
                 [&](const std::string& name, double) { names.push_back(name); });
   CsvText csv(names);
+  EmptyFields empty;
   for (std::size_t i = 0; i < exact.size(); ++i) {
     std::vector<double> row;
     visit_columns(points.points[i], exact[i], points.has_boxes ? &over_boxes[i] : nullptr, three, points.has_normals,
-                  [&](const std::string&, double value) { row.push_back(value); });
+                  [&](const std::string& name, double value) {
+                    row.push_back(value);
+                    empty.add(name, value, points.points[i]);
+                  });
     csv.row(row);
   }
   Result process;
   record_process(*material, process);
   for (const std::string& warning : process.warnings) warn(warning);
+  empty.tell();
   return csv.text();
 }
 

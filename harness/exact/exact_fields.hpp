@@ -5,6 +5,7 @@
 //   ExactSolution --at(points)------> x, v, a, F, P, sigma, b of any points and times
 //     |
 //     +--slice(t)-------------------> ExactSlice --at(point)--> the same of one time, at many points
+//     |    places(X)                    ExactPlaces: what is wanted of fixed points, quickly
 //     |                                 HexahedronAverage: their means over domains
 //     +--instant(points, asked)-----> ExactInstant --set_time(t)--> the plane fields of many fixed points
 //
@@ -32,6 +33,8 @@
 
 namespace assay {
 
+class ExactPlaces;
+struct FieldViews;
 struct AxisAligned;
 struct Vortex3d;
 
@@ -147,8 +150,11 @@ class ExactSolution {
   /// Called between points: the share that is done, of what.
   using Between = std::function<void(double share, const char* of)>;
 
+  /// What is wanted of points at times of their own. Throws MaterialFailure.
+  virtual void evaluate(std::span<const PlaceAndTime> points, const FieldViews& out, const Between& between = {}) const;
+
   /// One for each point, in their order. Throws MaterialFailure.
-  virtual std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between = {}) const = 0;
+  virtual std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between = {}) const;
   ExactPoint at(const Vector3& X, double t) const { return at(std::array{PlaceAndTime{X, t}}).front(); }
 
   virtual ExactState state(const Vector3& X, double t) const { return motion_->at(X, t); }
@@ -158,6 +164,9 @@ class ExactSolution {
 
   /// Lives no longer than the solution. Throws MaterialFailure, as its members do.
   virtual std::unique_ptr<const ExactSlice> slice(double t) const;
+
+  /// Reference points X [m] that are asked at many times. Lives no longer than the solution.
+  virtual std::unique_ptr<const ExactPlaces> places(std::vector<Vector3> X) const;
 
   virtual std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const = 0;
 

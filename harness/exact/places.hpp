@@ -3,7 +3,8 @@
 // alone stands in a slice, which is made once for all points.
 //
 //   ExactSolution --places(X)--> ExactPlaces --+
-//                 --slice(t)---> ExactSlice  --+--evaluate--> the fields that are wanted, of points first, first + 1, ...
+//                 --slice(t)---> ExactSlice  --+--evaluate--> the fields that are wanted, of points first, first + 1,
+//                 ...
 //
 // A field of a point is a function of X and t alone, to the last bit: it does not depend on the other points, on what
 // else is wanted, or on what was asked before. Neither changes, and any number of threads may ask.

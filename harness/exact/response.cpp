@@ -57,6 +57,9 @@ class SheetAtTime final : public ResponseAtTime {
  public:
   SheetAtTime(const Sheet& sheet, double t) : curve_(sheet.isochrone(t)), has_kinks_(sheet.has_kinks()) {}
   void at(double xi, Tensor& tau, Tensor& dtau_dxi) const override { curve_.at(xi, tau, dtau_dxi); }
+  void many(std::span<const double> xi, unsigned wanted, double* tau, double* slopes) const override {
+    curve_.many(xi, wanted, tau, slopes);
+  }
   void plane_tau(std::span<const double> xi, std::span<double> tau, const InPieces& pieces) const override {
     pieces(xi.size(), [&](std::size_t begin, std::size_t end) { curve_.plane_tau(xi, tau, begin, end); });
   }
@@ -71,6 +74,18 @@ class FormAtTime final : public ResponseAtTime {
  public:
   FormAtTime(const ClosedForm& form, double t) : form_(form), t_(t), g_(form.amplitude(t)) {}
   void at(double xi, Tensor& tau, Tensor& dtau_dxi) const override { form_.at(xi, t_, g_, tau, dtau_dxi); }
+  void many(std::span<const double> xi, unsigned, double* tau, double* slopes) const override {
+    std::array<double, 9 * ClosedForm::at_once> some_tau, some_slopes;
+    const std::size_t n = xi.size();
+    for (std::size_t first = 0; first < n; first += ClosedForm::at_once) {
+      const std::size_t count = std::min(ClosedForm::at_once, n - first);
+      form_.at(xi.subspan(first, count), t_, g_, some_tau.data(), some_slopes.data());
+      for (std::size_t c = 0; c < 9; ++c) {
+        std::copy_n(&some_tau[c * count], count, tau + c * n + first);
+        std::copy_n(&some_slopes[c * count], count, slopes + c * n + first);
+      }
+    }
+  }
   void plane_tau(std::span<const double> xi, std::span<double> tau, const InPieces&) const override {
     std::array<double, 9 * ClosedForm::at_once> values, slopes;
     for (std::size_t first = 0; first < xi.size(); first += ClosedForm::at_once) {
@@ -88,6 +103,15 @@ class FormAtTime final : public ResponseAtTime {
 };
 
 }  // namespace
+
+void ResponseAtTime::many(std::span<const double> xi, unsigned, double* tau, double* slopes) const {
+  Tensor value, slope;
+  for (std::size_t i = 0; i < xi.size(); ++i) {
+    at(xi[i], value, slope);
+    put_tensor(value, tau, xi.size(), i);
+    put_tensor(slope, slopes, xi.size(), i);
+  }
+}
 
 void ResponseAtTime::plane_tau(std::span<const double> xi, std::span<double> tau, const InPieces&) const {
   const std::size_t n = xi.size();

@@ -68,9 +68,12 @@ inline constexpr Range profile_powers{.lower = 2, .upper = 64, .whole = true};
 /// Over which (1 - s^2)^m changes where s goes from 0 to 1 on that way [m].
 inline double profile_length(double way, int power) { return way * std::min(1.0, 2 / std::sqrt(power)); }
 
-inline void profile_power_key(Keys& keys, int& power, bool shown = true) {
+/// Of the motions' own key, which they share; a vortex in a list has a default of its own.
+inline constexpr const char* usual_profile_power = "2 in the plane, 4 of vortex3d";
+
+inline void profile_power_key(Keys& keys, int& power, bool shown = true, const char* derived = usual_profile_power) {
   keys("profile_power", "m of the profile h = (1 - s^2)^m; m = 1 is excluded: the body's faces would need tractions",
-       power, {.range = profile_powers, .derived = "2 in the plane, 4 of vortex3d", .shown = shown});
+       power, {.range = profile_powers, .derived = derived, .shown = shown});
 }
 
 inline void axis_key(Keys& keys, Vector3& axis, bool shown = true) {

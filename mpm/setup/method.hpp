@@ -54,9 +54,9 @@ constexpr std::array<const char*, 3> names_of(Mass) { return {"lumped", "series"
 enum class Evaluation { point, domain_average };
 constexpr std::array<const char*, 2> names_of(Evaluation) { return {"point", "domain_average"}; }
 /// b reaches the particles by the grid; or its part a, of the exact motion, is given to them and b - a goes by the
-/// grid. Without inertia b lacks a, for codes that are quasi-static: no method runs with that.
-enum class Inertia { grid, particles, none };
-constexpr std::array<const char*, 3> names_of(Inertia) { return {"grid", "particles", "none"}; }
+/// grid.
+enum class Inertia { grid, particles };
+constexpr std::array<const char*, 2> names_of(Inertia) { return {"grid", "particles"}; }
 
 struct Method {
   Basis basis = Basis::cpdi;

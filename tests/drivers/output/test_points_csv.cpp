@@ -43,6 +43,16 @@ TEST_F(PointsCsvTest, refuses_half_a_normal_and_none) {
   EXPECT_THROW(read_reference_points(file("X,Y,t,NX\n1,2,3,1\n")), InputError);
   EXPECT_THROW(read_reference_points(file("X,Y,t,NX,NY\n1,2,3,0,0\n")), InputError);
   EXPECT_THROW(read_reference_points(file("X,Y\n1,2\n")), InputError);
+  const auto refusal = [&](const char* text) -> std::string {
+    try {
+      read_reference_points(file(text));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_TRUE(refusal("X,Y,t,NX,NY\n1,2,3,0,0\n").ends_with("the normal NX,NY has no length"));
+  EXPECT_TRUE(refusal("X,Y,Z,t,NX,NY,NZ\n1,2,3,4,0,0,0\n").ends_with("the normal NX,NY,NZ has no length"));
 }
 
 TEST_F(PointsCsvTest, reads_points_of_the_sheet) {

@@ -228,7 +228,6 @@ TEST(SceneReader, GivesInertiaToParticlesWhereThatMakesSense) {
   EXPECT_TRUE(has(refused_with("{formulation: total, integrator: symplectic_rkn4}", "{inertia: particles}"),
                   "force.inertia: "));
   EXPECT_EQ(refused_with("{transfer: aflip}", "{inertia: particles}"), "accepted");
-  EXPECT_EQ(refused_with("{transfer: aflip}", "{inertia: none}"), "accepted");  // of eval
   EXPECT_EQ(scene_from_text(scene_text(), "f.yaml", {}).force.inertia, mpm::Inertia::grid);
 }
 

@@ -98,9 +98,11 @@ TEST(ReferenceOf, IsTheSamePointSeenFromAnyFrame) {
   }
 }
 
-/// Formulas against the method of those motions that have none.
+/// Formulas against the method of those motions that have none. Beyond its faces the formula of a ring that widens
+/// comes to the same places again.
 TEST(ReferenceOf, FormulasFindWhatNewtonsMethodFinds) {
   for (const auto& [name, motion] : all_motions()) {
+    if (is_open(motion)) continue;
     for (const Vector3& X : places(motion, 60)) {
       for (const double t : times) {
         const Vector3 x = motion->at(X, t).x;
