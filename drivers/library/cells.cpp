@@ -85,8 +85,8 @@ int gauss_of_cells(const std::vector<Corners>& cells, const ExactProblem& proble
 
 extern "C" {
 
-int assay_cells_open(const assay_problem* problem, size_t n, const double* corners, assay_cells** cells,
-                     assay_error* error) {
+ASSAY_API int assay_cells_open(const assay_problem* problem, size_t n, const double* corners, assay_cells** cells,
+                               assay_error* error) {
   if (cells) *cells = nullptr;
   return call_of_library(error, [&] {
     refuse_call_if(!cells, "cells", "must not be null");
@@ -113,9 +113,10 @@ int assay_cells_open(const assay_problem* problem, size_t n, const double* corne
   });
 }
 
-void assay_cells_close(assay_cells* cells) { close_handle(cells, HandleMark::cells); }
+ASSAY_API void assay_cells_close(assay_cells* cells) { close_handle(cells, HandleMark::cells); }
 
-int assay_cells_eval(const assay_cells* cells, double t, const assay_field* b, double* volume, assay_error* error) {
+ASSAY_API int assay_cells_eval(const assay_cells* cells, double t, const assay_field* b, double* volume,
+                               assay_error* error) {
   return call_of_library(error, [&] {
     const assay_cells& known = known_handle(cells, HandleMark::cells, "cells");
     const auto slice = known.problem->slice(t);

@@ -53,8 +53,8 @@ ElementMesh mesh_of(const assay_mesh_options& given, const ExactProblem& problem
 
 extern "C" {
 
-int assay_mesh_open(const assay_problem* problem, const assay_mesh_options* mesh, assay_mesh** handle,
-                    assay_error* error) {
+ASSAY_API int assay_mesh_open(const assay_problem* problem, const assay_mesh_options* mesh, assay_mesh** handle,
+                              assay_error* error) {
   if (handle) *handle = nullptr;
   return call_of_library(error, [&] {
     refuse_call_if(!handle, "handle", "must not be null");
@@ -73,9 +73,9 @@ int assay_mesh_open(const assay_problem* problem, const assay_mesh_options* mesh
   });
 }
 
-void assay_mesh_close(assay_mesh* mesh) { close_handle(mesh, HandleMark::mesh); }
+ASSAY_API void assay_mesh_close(assay_mesh* mesh) { close_handle(mesh, HandleMark::mesh); }
 
-int assay_nodal_loads(const assay_mesh* mesh, double t, const assay_field* force, assay_error* error) {
+ASSAY_API int assay_nodal_loads(const assay_mesh* mesh, double t, const assay_field* force, assay_error* error) {
   return call_of_library(error, [&] {
     const assay_mesh& known = known_handle(mesh, HandleMark::mesh, "mesh");
     const auto slice = known.problem->slice(t);

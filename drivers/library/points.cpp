@@ -10,7 +10,7 @@
 struct assay_points {
   assay::drivers::HandleMark mark = assay::drivers::HandleMark::points;
   std::shared_ptr<const assay::drivers::ExactProblem> problem;
-  std::vector<assay::Vector3> X;
+  std::unique_ptr<const assay::ExactPlaces> places;
   std::vector<char> inside;  ///< whether the motion is defined there
 };
 
@@ -19,21 +19,39 @@ namespace assay::drivers {
 namespace {
 
 void check_range(const assay_points& points, std::size_t first, std::size_t count) {
-  const std::size_t n = points.X.size();
+  const std::size_t n = points.places->size();
   if (first > n || count > n - first)
     throw RefusedCall("count", std::to_string(count) + " points from number " + std::to_string(first) +
                                    " on are more than the " + std::to_string(n) + " that there are");
 }
 
-/// inside(k, exact) of points first + k at which the motion is defined, else outside(k). The code.
+/// The fields of points, all of which the motion knows; a view's first point is `first`.
+void put_fields(const assay_points& points, const ExactSlice& slice, std::size_t first, std::size_t count,
+                const FieldViews& out) {
+  try {
+    points.places->evaluate(slice, first, count, out);
+  } catch (const MaterialFailure&) {
+    for (std::size_t k = 0; k < count; ++k)
+      at_point(first + k, [&] { points.places->evaluate(slice, first + k, 1, out.from(k)); });
+  }
+}
+
+/// inside(slice, k, n) of runs of n points, from first + k on, at which the motion is defined, else outside(k). The
+/// code.
 int visit_points(const assay_points& points, double t, std::size_t first, std::size_t count, const auto& inside,
                  const auto& outside) {
   const auto slice = points.problem->slice(t);
   bool all_inside = true;
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t p = first + k;
-    all_inside &= points.inside[p] != 0;
-    points.inside[p] ? inside(k, at_point(p, [&] { return slice->at(points.X[p]); })) : outside(k);
+  for (std::size_t k = 0; k < count;) {
+    const auto here = points.inside.begin() + static_cast<std::ptrdiff_t>(first + k);
+    const auto run = std::find(here, here + static_cast<std::ptrdiff_t>(count - k), 0) - here;
+    if (run > 0) {
+      inside(*slice, k, static_cast<std::size_t>(run));
+    } else {
+      outside(k);
+      all_inside = false;
+    }
+    k += static_cast<std::size_t>(std::max<std::ptrdiff_t>(run, 1));
   }
   return code_of_points(all_inside);
 }
@@ -42,8 +60,8 @@ int visit_points(const assay_points& points, double t, std::size_t first, std::s
 
 extern "C" {
 
-int assay_points_open(const assay_problem* problem, size_t n, int components, const assay_const_field* X,
-                      assay_points** points, assay_error* error) {
+ASSAY_API int assay_points_open(const assay_problem* problem, size_t n, int components, const assay_const_field* X,
+                                assay_points** points, assay_error* error) {
   if (points) *points = nullptr;
   return call_of_library(error, [&] {
     refuse_call_if(!points, "points", "must not be null");
@@ -52,32 +70,33 @@ int assay_points_open(const assay_problem* problem, size_t n, int components, co
     check_components(components, shared->dimension());
     auto made = std::make_unique<assay_points>();
     made->problem = shared;
-    made->X = vectors_of(n, shared->dimension(), *X, "points.X");
+    std::vector<Vector3> places = vectors_of(n, shared->dimension(), *X, "points.X");
     made->inside.resize(n);
-    std::ranges::transform(made->X, made->inside.begin(), [&](const Vector3& at) { return shared->holds(at); });
+    std::ranges::transform(places, made->inside.begin(), [&](const Vector3& at) { return shared->holds(at); });
+    made->places = shared->solution().places(std::move(places));
     *points = made.release();
     return ASSAY_DONE;
   });
 }
 
-void assay_points_close(assay_points* points) { close_handle(points, HandleMark::points); }
+ASSAY_API void assay_points_close(assay_points* points) { close_handle(points, HandleMark::points); }
 
-int assay_eval(const assay_points* points, double t, size_t first, size_t count, const assay_view* out,
-               assay_error* error) {
+ASSAY_API int assay_eval(const assay_points* points, double t, size_t first, size_t count, const assay_view* out,
+                         assay_error* error) {
   return call_of_library(error, [&] {
     const assay_points& known = known_handle(points, HandleMark::points, "points");
     const HostViews views(out, known.problem->dimension());
     check_range(known, first, count);
-    const auto inside = [&](std::size_t k, const ExactPoint& exact) {
-      views.fields.put(k, exact);
-      views.tell_inside(k);
+    const auto inside = [&](const ExactSlice& slice, std::size_t k, std::size_t run) {
+      put_fields(known, slice, first + k, run, views.fields.from(k));
+      for (std::size_t i = k; i < k + run; ++i) views.tell_inside(i);
     };
     return visit_points(known, t, first, count, inside, [&](std::size_t k) { views.put_outside(k); });
   });
 }
 
-int assay_tractions(const assay_points* points, double t, size_t first, size_t count, const assay_const_field* N,
-                    const assay_field* traction, assay_error* error) {
+ASSAY_API int assay_tractions(const assay_points* points, double t, size_t first, size_t count,
+                              const assay_const_field* N, const assay_field* traction, assay_error* error) {
   return call_of_library(error, [&] {
     const assay_points& known = known_handle(points, HandleMark::points, "points");
     check_range(known, first, count);
@@ -88,16 +107,20 @@ int assay_tractions(const assay_points* points, double t, size_t first, size_t c
     const auto zero = std::ranges::find(normals, Vector3(Vector3::Zero()));
     if (zero != normals.end())
       throw RefusedCall("N", "must not be zero", ASSAY_BAD_INPUT, static_cast<std::int64_t>(zero - normals.begin()));
-    const auto inside = [&](std::size_t k, const ExactPoint& exact) {
-      put_vector(*traction, k, exact.stress.first_piola_kirchhoff * unit_along(normals[k]), dimension);
+    const auto inside = [&](const ExactSlice& slice, std::size_t k, std::size_t run) {
+      std::vector<double> P(9 * run);
+      put_fields(known, slice, first + k, run, {.P = {P.data(), 9, 1}});
+      for (std::size_t i = 0; i < run; ++i)
+        put_vector(*traction, k + i, tensor_of(P.data() + 9 * i) * unit_along(normals[k + i]), dimension);
     };
     return visit_points(known, t, first, count, inside,
                         [&](std::size_t k) { put_vector(*traction, k, no_vector(), dimension); });
   });
 }
 
-int assay_at_current(const assay_problem* problem, double t, size_t n, int components, const assay_const_field* x,
-                     const assay_field* X, const assay_view* out, assay_error* error) {
+ASSAY_API int assay_at_current(const assay_problem* problem, double t, size_t n, int components,
+                               const assay_const_field* x, const assay_field* X, const assay_view* out,
+                               assay_error* error) {
   return call_of_library(error, [&] {
     const ExactProblem& known = *known_handle(problem, HandleMark::problem, "problem").shared;
     const HostViews views(out, known.dimension());

@@ -23,7 +23,7 @@ int put_text(const std::string& text, char* buffer, std::size_t size, std::size_
 
 extern "C" {
 
-int assay_open(const assay_options* options, assay_problem** problem, assay_error* error) {
+ASSAY_API int assay_open(const assay_options* options, assay_problem** problem, assay_error* error) {
   if (problem) *problem = nullptr;
   return call_of_library(error, [&] {
     refuse_call_if(!problem, "problem", "must not be null");
@@ -35,9 +35,9 @@ int assay_open(const assay_options* options, assay_problem** problem, assay_erro
   });
 }
 
-void assay_close(assay_problem* problem) { close_handle(problem, HandleMark::problem); }
+ASSAY_API void assay_close(assay_problem* problem) { close_handle(problem, HandleMark::problem); }
 
-int assay_get_facts(const assay_problem* problem, assay_facts* facts, assay_error* error) {
+ASSAY_API int assay_get_facts(const assay_problem* problem, assay_facts* facts, assay_error* error) {
   return call_of_library(error, [&] {
     const auto& shared = known_handle(problem, HandleMark::problem, "problem").shared;
     const auto size = known_part(facts, sizeof(assay_facts), "facts").struct_size;
@@ -47,19 +47,19 @@ int assay_get_facts(const assay_problem* problem, assay_facts* facts, assay_erro
   });
 }
 
-int assay_describe(const assay_problem* problem, char* buffer, size_t size, size_t* needed) {
+ASSAY_API int assay_describe(const assay_problem* problem, char* buffer, size_t size, size_t* needed) {
   return call_of_library(nullptr, [&] {
     return put_text(known_handle(problem, HandleMark::problem, "problem").shared->description(), buffer, size, needed);
   });
 }
 
-int assay_warnings(const assay_problem* problem, char* buffer, size_t size, size_t* needed) {
+ASSAY_API int assay_warnings(const assay_problem* problem, char* buffer, size_t size, size_t* needed) {
   return call_of_library(nullptr, [&] {
     return put_text(known_handle(problem, HandleMark::problem, "problem").shared->warnings(), buffer, size, needed);
   });
 }
 
-const char* assay_version(void) { return ASSAY_VERSION_TEXT; }
+ASSAY_API const char* assay_version(void) { return ASSAY_VERSION_TEXT; }
 
 }  // extern "C"
 

@@ -111,6 +111,8 @@ ToolEnd run_tool(const ToolCall& call) try {
       ::usleep(pause);
     }
     stop_if_interrupted();
+    if (tool.control().end() == adapters::Death::shortage)
+      throw SystemError("'" + call.program + "' cannot be started: " + adapters::words_of_end(tool.control()));
     end.status = end.stopped ? 128 + SIGKILL : tool.control().exit_status();
   }  // where it has not ended, it does now
   end.said = said.first(most_said);
