@@ -4,14 +4,15 @@
 #include <cstdint>
 
 extern "C" {
-extern const char __executable_start, etext;  // of the linker: where the code of this program lies
+// Of the linker: where this program lies, or this shared library. A library has no __executable_start.
+[[gnu::visibility("hidden")]] extern const char __ehdr_start, etext;
 }
 
 namespace assay {
 
 bool is_own_code(const void* function) {
   const auto at = [](const void* place) { return reinterpret_cast<std::uintptr_t>(place); };
-  return at(function) >= at(&__executable_start) && at(function) < at(&etext);
+  return at(function) >= at(&__ehdr_start) && at(function) < at(&etext);
 }
 
 std::string words_of_exception(const char* what) {
