@@ -4,14 +4,14 @@
 #include <cstdint>
 
 extern "C" {
-extern const char __executable_start, etext;  // of the linker: where the code of this program lies
+extern const char __ehdr_start, etext;  // of the linker: where the code of this program, or of a library of it, lies
 }
 
 namespace assay {
 
 bool is_own_code(const void* function) {
   const auto at = [](const void* place) { return reinterpret_cast<std::uintptr_t>(place); };
-  return at(function) >= at(&__executable_start) && at(function) < at(&etext);
+  return at(function) >= at(&__ehdr_start) && at(function) < at(&etext);
 }
 
 std::string words_of_exception(const char* what) {
