@@ -410,7 +410,7 @@ contains
   !   F, P (3, 3, n)            deformation gradient [1], first Piola-Kirchhoff stress [Pa]; F(i, j, p) is F_ij
   !   sigma (6, n)              Cauchy stress [Pa]: 11, 22, 33, 12, 13, 23
   !   b, b_static (dimension, n)   body force per mass [m/s^2], with and without inertia
-  !   status (n)                0, or assay_outside; with it points outside the motion are no fault
+  !   status (n)                0, or assay_outside where the motion is not defined and all else is NaN: no fault then
   ! first: number of the point from which on; then n is what the arrays hold, so that threads can share one set.
   subroutine eval(self, t, x, v, a, F, P, sigma, b, b_static, status, first, fault)
     class(assay_points), intent(in) :: self

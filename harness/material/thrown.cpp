@@ -4,7 +4,8 @@
 #include <cstdint>
 
 extern "C" {
-extern const char __ehdr_start, etext;  // of the linker: where the code of this program, or of a library of it, lies
+// Of the linker: where this program lies, or this shared library. A library has no __executable_start.
+[[gnu::visibility("hidden")]] extern const char __ehdr_start, etext;
 }
 
 namespace assay {

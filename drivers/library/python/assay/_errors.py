@@ -26,7 +26,7 @@ class Error(Exception):
 
 
 class MaterialFailure(Error):
-    """The material failed, or the motion is refused for it."""
+    """The material failed."""
 
     code = 1
 

@@ -121,8 +121,8 @@ class Points(_Handle):
 
         out: a float64 array to fill in place, of any strides, with the shape above or flat; for several fields a tuple,
         with None where a new array is wanted. first, count: only these points, so that threads can share one set.
-        Raises BeyondEnd after the end, OutsideError where points lie outside and "status" is not asked for; the other
-        points are filled then.
+        Raises BeyondEnd after the end, OutsideError where points lie outside and "status" is not asked for. Points
+        outside are nan then, and the others are filled.
         """
         count = self._n - first if count is None else count
         if not 0 <= first <= self._n or not 0 <= count <= self._n - first:
