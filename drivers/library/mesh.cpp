@@ -63,13 +63,8 @@ ASSAY_API int assay_mesh_open(const assay_problem* problem, const assay_mesh_opt
     refuse_call_if(known.gauss < 0 || known.gauss > NodalLoadRule::most_points, "mesh.gauss",
                    "must be 0 .. " + std::to_string(NodalLoadRule::most_points));
     try {
-<<<<<<< HEAD
-      NodalLoads loads(mesh_of(known, *shared), shared->density(),
-                       {.gauss = known.gauss, .quasi_static = known.quasi_static != 0 || shared->is_quasi_static()});
-=======
       NodalLoads loads(mesh_of(known, *shared), shared->solution(), shared->density(),
-                       {.gauss = known.gauss, .quasi_static = known.quasi_static != 0});
->>>>>>> 6424b7a2f02896f5f39410b1bbf62f5e0992fde3
+                       {.gauss = known.gauss, .quasi_static = known.quasi_static != 0 || shared->is_quasi_static()});
       *handle = new assay_mesh{HandleMark::mesh, shared, std::move(loads)};
     } catch (const MeshFault& fault) {
       throw RefusedCall("mesh." + fault.argument, fault.what(), ASSAY_BAD_INPUT, fault.index);
