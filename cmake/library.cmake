@@ -15,6 +15,9 @@ target_link_options(assay_library PRIVATE -Wl,--gc-sections -Wl,--as-needed -Wl,
   -Wl,-Bsymbolic -Wl,-z,nodelete)
 set_target_properties(assay_library PROPERTIES OUTPUT_NAME assay EXPORT_NAME assay
   VERSION 1.0 SOVERSION 1 CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON LINK_DEPENDS ${library_map})
+if(NOT ASSAY_SANITIZE) # whose functions are the program's
+  target_link_options(assay_library PRIVATE -Wl,--no-undefined)
+endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   target_link_options(assay_library PRIVATE -s)
 endif()

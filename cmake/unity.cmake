@@ -17,8 +17,7 @@ function(compile_rooms_together target size)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP
     UNITY_BUILD_CODE_BEFORE_INCLUDE "#pragma GCC diagnostic ignored \"-Wshadow\"")
   list(FILTER sources INCLUDE REGEX "[.]cpp$")
-  # they have own options; the library has something else in place of kernels.cpp
-  list(FILTER sources EXCLUDE REGEX "stiff_integrator|mpm/kernels/variants/|picture/canvas|mpm/kernels/kernels[.]cpp")
+  list(FILTER sources EXCLUDE REGEX "stiff_integrator|mpm/kernels/variants/|picture/canvas") # they have own options
   set(rooms "")
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${directory})

@@ -136,7 +136,8 @@ std::size_t bridge_variables(const ForeignModel& model) {
   return state_of(bare).size();
 }
 
-const assay_material* foreign_table(const ForeignModel& model) {
+// weak: libassay has another in its place
+[[gnu::weak]] const assay_material* foreign_table(const ForeignModel& model) {
   auto table = std::make_unique<ForeignTable>();
   static_cast<assay_material&>(*table) = assay_material{};
   table->model = model;

@@ -103,7 +103,7 @@ ASSAY_API int assay_cells_open(const assay_problem* problem, size_t n, const dou
         if (!shared->holds(corner)) refuse_cell(i, "a corner lies where the motion is not defined");
       }
     }
-    const HexahedronRule rule{.gauss = gauss_of_cells(all, *shared)};
+    const HexahedronRule rule{.gauss = gauss_of_cells(all, *shared), .quasi_static = shared->is_quasi_static()};
     HexahedronAverage average(Hexahedra(all), shared->density(), rule);
     for (std::size_t i = 0; i < n; ++i) {
       if (!(average.volume(i) > 0)) refuse_cell(i, "its corners make no volume above 0: they are in another order");

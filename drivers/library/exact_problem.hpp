@@ -44,6 +44,7 @@ class ExactProblem {
   const Scene& scene() const { return scene_; }
   const ExactSolution& solution() const { return *solution_; }
   int dimension() const { return three_ ? 3 : 2; }
+  bool is_quasi_static() const { return scene_.force.quasi_static; }  ///< b is without inertia
   double density() const { return scene_.material.density; }
   const std::string& warnings() const { return warnings_; }
 

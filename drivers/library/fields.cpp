@@ -23,7 +23,7 @@ void check_components(int components, int dimension) {
 
 Vector3 no_vector() { return Vector3::Constant(std::numeric_limits<double>::quiet_NaN()); }
 
-HostViews::HostViews(const assay_view* out, int dimension) {
+HostViews::HostViews(const assay_view* out, int dimension, bool quasi_static) {
   const assay_view view = known_part(out, sizeof(assay_view), "out");
   refuse_call_if(view.reserved != 0, "out.reserved", "must be 0");
   const auto of = [](const assay_field& field) {
@@ -39,6 +39,10 @@ HostViews::HostViews(const assay_view* out, int dimension) {
             of(view.b),
             of(view.b_static)};
   status = view.status;
+  if (!quasi_static || !fields.b) return;
+  again = fields.static_force;
+  fields.static_force = fields.b;
+  fields.b = {};
 }
 
 void HostViews::put_outside(std::size_t point) const {
@@ -47,7 +51,7 @@ void HostViews::put_outside(std::size_t point) const {
   none.stress.body_force = none.stress.static_force = no_vector();
   none.state.F = none.stress.first_piola_kirchhoff = none.stress.cauchy = Tensor::Constant(no_vector().x());
   fields.put(point, none);
-  if (status) status[point] = ASSAY_OUTSIDE;
+  finish(point, ASSAY_OUTSIDE);
 }
 
 }  // namespace assay::drivers

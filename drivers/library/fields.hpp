@@ -27,16 +27,19 @@ Vector3 no_vector();  ///< NaN
 
 /// What a host wants of points, and where.
 struct HostViews {
-  /// Throws RefusedCall.
-  HostViews(const assay_view* out, int dimension);
+  /// quasi_static: b is to be without inertia. Throws RefusedCall.
+  HostViews(const assay_view* out, int dimension, bool quasi_static);
 
-  void tell_inside(std::size_t point) const {
-    if (status) status[point] = ASSAY_DONE;
+  /// Behind the fields of a point.
+  void finish(std::size_t point, std::int32_t code = ASSAY_DONE) const {
+    if (status) status[point] = code;
+    for (std::size_t d = 0; again && d < fields.dimension; ++d) again.at(point, d) = fields.static_force.at(point, d);
   }
   /// NaN, for a point at which the motion is not defined.
   void put_outside(std::size_t point) const;
 
   FieldViews fields;
+  FieldView again = {};  ///< where the force without inertia is wanted a second time
   std::int32_t* status;
 };
 

@@ -64,7 +64,7 @@ ASSAY_API int assay_mesh_open(const assay_problem* problem, const assay_mesh_opt
                    "must be 0 .. " + std::to_string(NodalLoadRule::most_points));
     try {
       NodalLoads loads(mesh_of(known, *shared), shared->solution(), shared->density(),
-                       {.gauss = known.gauss, .quasi_static = known.quasi_static != 0});
+                       {.gauss = known.gauss, .quasi_static = known.quasi_static != 0 || shared->is_quasi_static()});
       *handle = new assay_mesh{HandleMark::mesh, shared, std::move(loads)};
     } catch (const MeshFault& fault) {
       throw RefusedCall("mesh." + fault.argument, fault.what(), ASSAY_BAD_INPUT, fault.index);

@@ -85,11 +85,11 @@ ASSAY_API int assay_eval(const assay_points* points, double t, size_t first, siz
                          assay_error* error) {
   return call_of_library(error, [&] {
     const assay_points& known = known_handle(points, HandleMark::points, "points");
-    const HostViews views(out, known.problem->dimension());
+    const HostViews views(out, known.problem->dimension(), known.problem->is_quasi_static());
     check_range(known, first, count);
     const auto inside = [&](const ExactSlice& slice, std::size_t k, std::size_t run) {
       put_fields(known, slice, first + k, run, views.fields.from(k));
-      for (std::size_t i = k; i < k + run; ++i) views.tell_inside(i);
+      for (std::size_t i = k; i < k + run; ++i) views.finish(i);
     };
     return visit_points(known, t, first, count, inside, [&](std::size_t k) { views.put_outside(k); });
   });
@@ -123,7 +123,7 @@ ASSAY_API int assay_at_current(const assay_problem* problem, double t, size_t n,
                                assay_error* error) {
   return call_of_library(error, [&] {
     const ExactProblem& known = *known_handle(problem, HandleMark::problem, "problem").shared;
-    const HostViews views(out, known.dimension());
+    const HostViews views(out, known.dimension(), known.is_quasi_static());
     refuse_call_if(!x, "x", "must not be null");
     check_components(components, known.dimension());
     const auto slice = known.slice(t);
@@ -136,7 +136,7 @@ ASSAY_API int assay_at_current(const assay_problem* problem, double t, size_t n,
       if (X && X->data) put_vector(*X, p, inside ? *from : no_vector(), known.dimension());
       if (inside) {
         views.fields.put(p, at_point(p, [&] { return slice->at(*from); }));
-        views.tell_inside(p);
+        views.finish(p);
       } else {
         views.put_outside(p);
       }

@@ -248,6 +248,20 @@ TEST(Points, KnownByTheirCurrentPlaceAlone) {
   for (std::size_t p = 0; p < n; ++p) EXPECT_NEAR(found[p].b[0], expected[p].b[0], 1e3 * alike);
 }
 
+TEST(Points, OfAQuasiStaticSceneHaveNoInertiaInTheirForce) {
+  const auto points = points_at(opened(vortex_text()), {.9, .2, .8, .1}, 2);
+  const std::vector<Fields> dynamic = evaluated(points, .3, 2);
+  std::string text = vortex_text();
+  text.replace(text.find("force: {"), 8, "force: {quasi_static: true, ");
+  const std::vector<Fields> still = evaluated(points_at(opened(text), {.9, .2, .8, .1}, 2), .3, 2);
+  for (std::size_t p = 0; p < 2; ++p) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      EXPECT_EQ(still[p].b[d], dynamic[p].b_static[d]);
+      EXPECT_EQ(still[p].b_static[d], dynamic[p].b_static[d]);
+    }
+  }
+}
+
 TEST(Points, TractionsArePTimesTheUnitNormal) {
   const auto problem = opened(vortex_text());
   const auto points = points_at(problem, {.9, .2}, 2);

@@ -51,11 +51,13 @@ TEST(Problem, TellsItsWarningsAndPrintsNone) {
   EXPECT_EQ(text_by(assay_warnings, opened(vortex_text())), "");
   testing::internal::CaptureStderr();
   const auto problem = opened(
-      "motion: {type: vortex, amplitude: {type: sine, peak: 2}}\n"
-      "material: {adapter: j2_jaumann, parameters: {E: 1e3, nu: .3, yield_stress: 1, hardening_modulus: -20}, "
-      "density: 1000}\nforce: {tolerance: 1e-3, cache: false}\n",
-      .02);
+      "motion: {type: vortex, amplitude: {type: sine, peak: .5}}\n"
+      "material: {adapter: damage, density: 1000, parameters: {E: 1e3, nu: .3, kappa_0: 5, kappa_f: 6, D_max: .99}}\n"
+      "force: {tolerance: 1e-3, cache: false}\n",
+      .2);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  const std::string warnings = text_by(assay_warnings, problem);
+  EXPECT_TRUE(warnings.starts_with("this motion is not a stable solution")) << warnings;
 }
 
 TEST(Problem, ToldByAPathOrByAText) {

@@ -30,13 +30,20 @@ const std::string foreign = ASSAY_SOURCE_DIR "/tests/adapters/foreign/mfront_neo
 class Workers : public testing::Test {
  protected:
   void SetUp() override { ::setenv("ASSAY_MATERIAL_PATH", built("tests/foreign").c_str(), 1); }
-  void TearDown() override { std::signal(SIGCHLD, SIG_DFL); }
+  void TearDown() override {
+    std::signal(SIGCHLD, SIG_DFL);
+    ::setenv("PATH", path_.c_str(), 1);
+    ::unsetenv("ASSAY_PROGRAM");
+  }
 
   /// A vortex until a time that takes a moment to be tabulated.
   static std::string text(const std::string& adapter = foreign, const std::string& more = {}) {
     return "motion: {type: vortex, amplitude: {type: sine, peak: .5}}\nmaterial: {adapter: '" + adapter +
            "', density: 1000" + more + "}\nforce: {tolerance: 1e-4, cache: false}\n";
   }
+
+ private:
+  const std::string path_ = std::getenv("PATH");
 };
 
 /// The processes whose ancestor is this one.
@@ -135,6 +142,12 @@ TEST_F(Workers, OfAHostThatIgnoresItsChildren) {
     EXPECT_EQ(code_of(text(), &words), ASSAY_SYSTEM) << words;
   }
   EXPECT_EQ(std::signal(SIGCHLD, SIG_DFL), SIG_IGN);
+}
+
+TEST_F(Workers, AreWhereForeignModelsRun) {
+  std::string words;
+  EXPECT_EQ(code_of(text(foreign, ", isolation: none"), &words), ASSAY_BAD_INPUT);
+  EXPECT_NE(words.find("runs in workers"), words.npos) << words;
 }
 
 TEST_F(Workers, WhoseModelCrashesAreAFinding) {

@@ -126,7 +126,7 @@ typedef struct assay_view {
   assay_field F;        /* deformation gradient [1] */
   assay_field P;        /* first Piola-Kirchhoff stress [Pa] */
   assay_field sigma;    /* Cauchy stress [Pa] */
-  assay_field b;        /* body force per mass, a - DIV(P)/rho0 [m/s^2] */
+  assay_field b;        /* body force per mass, a - DIV(P)/rho0; without a where force.quasi_static is true [m/s^2] */
   assay_field b_static; /* without the inertia: -DIV(P)/rho0 [m/s^2] */
 } assay_view;
 /* With struct_size; all else null. */

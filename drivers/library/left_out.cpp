@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the library does without, in place of weak symbols of the floors. The linker then leaves out what only these
+// call, which is a third of the library: the effects of a step, whose keys in a scene are read past, and foreign models
+// in this process. They run in workers.
+#include "adapters/foreign/foreign_table.hpp"
+#include "adapters/library.hpp"
+#include "mpm/compose.hpp"
+
+namespace assay {
+
+namespace mpm {
+
+template <>
+const std::vector<EffectRecord<2>>& effects() {
+  static const std::vector<EffectRecord<2>> none;
+  return none;
+}
+
+template <>
+std::optional<Contradiction> contradiction<2>(const Method&, const EffectOptions&) {
+  return std::nullopt;
+}
+
+}  // namespace mpm
+
+namespace adapters {
+
+const assay_material* foreign_table(const ForeignModel&) {
+  throw ModelRefused("isolation", "inside a host a foreign model runs in workers: leave out material.isolation");
+}
+
+}  // namespace adapters
+
+}  // namespace assay
