@@ -63,7 +63,7 @@ ASSAY_API int assay_mesh_open(const assay_problem* problem, const assay_mesh_opt
     refuse_call_if(known.gauss < 0 || known.gauss > NodalLoadRule::most_points, "mesh.gauss",
                    "must be 0 .. " + std::to_string(NodalLoadRule::most_points));
     try {
-      NodalLoads loads(mesh_of(known, *shared), shared->density(),
+      NodalLoads loads(mesh_of(known, *shared), shared->solution(), shared->density(),
                        {.gauss = known.gauss, .quasi_static = known.quasi_static != 0});
       *handle = new assay_mesh{HandleMark::mesh, shared, std::move(loads)};
     } catch (const MeshFault& fault) {

@@ -87,6 +87,7 @@ struct ForceChoice {
   int radii = 400;
   bool cache = true;
   double tolerance = 1e-8;
+  static constexpr double coarsest_tolerance = 1e-2;
 
   void keys(auto& key) {
     key("response", "source of the stress tau on the baseline path; none: no body force", response);
@@ -100,7 +101,7 @@ struct ForceChoice {
         {.range = {.lower = 4, .upper = 1e6, .whole = true}});
     key("cache", "keep the sheet on disk and reuse it in later runs", cache);
     key("tolerance", "requested relative error of the sheet", tolerance,
-        {.range = {.lower = 1e-14, .upper = 1e-2}, .derived = "1e-8; 1e-5 for a UMAT, VUMAT or MFront model"});
+        {.range = {.lower = 1e-14, .upper = coarsest_tolerance}, .derived = "1e-8; 1e-5 for a UMAT, VUMAT or MFront model"});
   }
 };
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/output/points_csv.hpp"
+#include "drivers/output/point_reader.hpp"
 #include "harness/exact/hexahedra.hpp"
 
 namespace assay::drivers {

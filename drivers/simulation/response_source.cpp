@@ -163,23 +163,23 @@ ExactSolutionPtr exact_solution_of_points(const Scene& scene, const std::shared_
   return as_seen(scene, exact_solution_at_points(scene, material, end, {.threads = threads, .quiet = quiet}));
 }
 
-std::vector<ExactPoint> exact_points(const ExactSolution& exact, const std::vector<ReferencePoint>& points,
-                                     bool quiet) {
-  std::vector<PlaceAndTime> places;
-  for (const ReferencePoint& point : points) places.push_back({{point.X, point.Y, point.Z}, point.t});
-  Progress progress("eval", quiet);
-  return exact.at(places, [&](double share, const char* of) {
-    stop_if_interrupted();
-    progress.update(share, of);
-  });
+ExactSolutionPtr motion_alone(const Scene& scene, const std::shared_ptr<const Material>& material) {
+  const double density = scene.material.density;
+  if (scene.motion->polar()) return as_seen(scene, exact_polar(scene.motion, density, nullptr));
+  if (const auto* vortex = scene.motion.as<Vortex3d>())
+    return as_seen(scene, exact_meridian(*vortex, density, nullptr));
+  if (const auto* box = scene.motion.as<AxisAligned>()) return as_seen(scene, exact_box(*box, density, material, {}));
+  return as_seen(scene, exact_uniform(scene.motion, density, [](double) -> Tensor { return Tensor::Zero(); }));
 }
 
 std::string long_sheet_sentence(double seconds, double tolerance) {
   constexpr double usual = 1e-10, coarser = 1e3;
-  const double other = std::max(tolerance, usual) * coarser;
+  const double other = std::min(std::max(tolerance, usual) * coarser, ForceChoice::coarsest_tolerance);
+  const std::string remedy = other > tolerance ? "force.tolerance: " + rounded_text(other, 2) + " in place of " +
+                                                     rounded_text(tolerance, 2) + ", or with a smaller time.end"
+                                               : "a smaller time.end";
   return "to tabulate this material's response may take up to " + duration_text(seconds) +
-         ", often a third of it or less; shorter with force.tolerance: " + rounded_text(other, 2) + " in place of " +
-         rounded_text(tolerance, 2) + ", or with a smaller time.end";
+         ", often a third of it or less; shorter with " + remedy;
 }
 
 SheetLine::SheetLine(double tolerance, bool quiet) : tolerance_(tolerance), quiet_(quiet), progress_("sheet", quiet) {}

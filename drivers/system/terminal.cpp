@@ -20,7 +20,7 @@ bool lost = false;
 thread_local KeptWarnings* keeper_of_warnings = nullptr;
 
 /// Beside stdio: a model that prints wide characters lets no others through.
-void put(const std::string& text) {
+void put(std::string_view text) {
   put_streams_right();
   std::fflush(stdout);
   lost = !adapters::write_all(user_output(), text) || lost;
@@ -29,6 +29,8 @@ void put(const std::string& text) {
 }  // namespace
 
 void print(std::string_view lines) { put(without_commands(lines, "<U+", ">")); }
+
+void print_bytes(std::string_view bytes) { put(bytes); }
 
 void print_json(std::string_view json) { put(without_commands(json, "\\u", "")); }
 

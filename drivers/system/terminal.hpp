@@ -15,6 +15,9 @@ enum class Verbosity { quiet, normal, verbose };
 /// Lines for a reader, on standard output and flushed: what steers a terminal is written as "<U+001B>".
 void print(std::string_view lines);
 
+/// Numbers, as text or not: the bytes as they are.
+void print_bytes(std::string_view bytes);
+
 /// JSON: the same characters as \u001b, which leaves the data as they are.
 void print_json(std::string_view json);
 

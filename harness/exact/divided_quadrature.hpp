@@ -75,13 +75,14 @@ void for_each_share(std::size_t n, const auto& visit) {
 
 /// Whether all of the piece seems to lie in one smooth part: as n^Dim of its points do.
 template <int Dim>
-bool is_smooth(const ExactSlice& slice, const MultilinearMap<Dim>& map, const PieceOfCube<Dim>& piece, std::size_t n) {
+bool is_smooth(const ExactSlice& slice, ExactSlice::Smooth of, const MultilinearMap<Dim>& map,
+               const PieceOfCube<Dim>& piece, std::size_t n) {
   std::optional<std::size_t> part;
   bool one = true;
   for_each_share<Dim>(n, [&](const std::array<std::size_t, Dim>& index) {
     std::array<double, Dim> share;
     for (std::size_t d = 0; d < Dim; ++d) share[d] = static_cast<double>(index[d]) / static_cast<double>(n - 1);
-    const std::size_t here = slice.part(map(piece.at(share)));
+    const std::size_t here = slice.part(map(piece.at(share)), of);
     one = !part || here == *part;
     part = here;
     return one;
@@ -89,16 +90,26 @@ bool is_smooth(const ExactSlice& slice, const MultilinearMap<Dim>& map, const Pi
   return one;
 }
 
-/// visit(u, weight) at Gauss points, of pieces that are halved in all directions where they are not smooth.
+/// Whether a piece is to be divided, which may be done so many times.
 template <int Dim>
-void for_each_gauss_point(const ExactSlice& slice, const MultilinearMap<Dim>& map, std::span<const GaussPoint> gauss,
-                          int divisions, const PieceOfCube<Dim>& piece, const auto& visit) {
+bool is_divided(const ExactSlice& slice, ExactSlice::Smooth of, const MultilinearMap<Dim>& map, int divisions,
+                const PieceOfCube<Dim>& piece = {}) {
   constexpr std::size_t looks_first = 4, looks = 3;  // along each direction; of a whole face, and of its pieces
-  if (divisions > 0 && slice.has_parts() && !is_smooth(slice, map, piece, piece.size == 1 ? looks_first : looks)) {
+  return divisions > 0 && slice.has_parts(of) &&
+         !is_smooth(slice, of, map, piece, piece.size == 1 ? looks_first : looks);
+}
+
+/// visit(u, weight) at Gauss points, of pieces that are halved in all directions where what is integrated is not
+/// smooth.
+template <int Dim>
+void for_each_gauss_point(const ExactSlice& slice, ExactSlice::Smooth of, const MultilinearMap<Dim>& map,
+                          std::span<const GaussPoint> gauss, int divisions, const PieceOfCube<Dim>& piece,
+                          const auto& visit) {
+  if (is_divided(slice, of, map, divisions, piece)) {
     for_each_share<Dim>(2, [&](const std::array<std::size_t, Dim>& index) {
       PieceOfCube<Dim> half{piece.lower, 0.5 * piece.size};
       for (std::size_t d = 0; d < Dim; ++d) half.lower[d] += half.size * static_cast<double>(index[d]);
-      for_each_gauss_point(slice, map, gauss, divisions - 1, half, visit);
+      for_each_gauss_point(slice, of, map, gauss, divisions - 1, half, visit);
       return true;
     });
     return;

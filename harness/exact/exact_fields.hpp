@@ -135,9 +135,11 @@ class ExactSlice {
   virtual Tensor first_piola_kirchhoff(const Vector3& X) const { return at(X).stress.first_piola_kirchhoff; }
   virtual ExactState state(const Vector3& X) const = 0;
 
-  /// A number for each part of the body in which all is smooth: it changes at edges and fronts.
-  virtual std::size_t part(const Vector3&) const { return 0; }
-  virtual bool has_parts() const { return false; }  ///< there is more than one
+  /// What is smooth in a part of the body: that of the motion ends at its edges, of the stress also at fronts.
+  enum class Smooth { motion, stress };
+  /// A number for each part.
+  virtual std::size_t part(const Vector3&, Smooth) const { return 0; }
+  virtual bool has_parts(Smooth) const { return false; }  ///< there is more than one
 };
 
 class ExactSolution {

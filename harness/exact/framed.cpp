@@ -105,8 +105,8 @@ class FramedSlice final : public ExactSlice {
     return {frame_.seen(own.state, t_), frame_.seen(own.stress, own.state, t_)};
   }
   ExactState state(const Vector3& X) const override { return frame_.seen(own_->state(frame_.body_point(X)), t_); }
-  bool has_parts() const override { return own_->has_parts(); }
-  std::size_t part(const Vector3& X) const override { return own_->part(frame_.body_point(X)); }
+  bool has_parts(Smooth of) const override { return own_->has_parts(of); }
+  std::size_t part(const Vector3& X, Smooth of) const override { return own_->part(frame_.body_point(X), of); }
 
   const Frame& frame() const { return frame_; }
   const ExactSlice& own() const { return *own_; }

@@ -104,19 +104,20 @@ HexahedronAverage::HexahedronAverage(Hexahedra domains, double density, const He
 HexahedronAverage::Flux HexahedronAverage::flux(const ExactSlice& slice, const Hexahedra::Face& face) const {
   const MultilinearMap<2> map = map_of<2>(domains_, face);
   Flux sum;
-  for_each_gauss_point<2>(slice, map, gauss_, rule_.divisions, {}, [&](const std::array<double, 2>& u, double weight) {
-    const Vector3 X = map(u), normal = weight * map.slope(u, 0).cross(map.slope(u, 1));
-    const Vector3 force = slice.first_piola_kirchhoff(X) * normal;
-    sum.force += force;
-    sum.moment += slice.state(X).x.cross(force);
-  });
+  for_each_gauss_point<2>(slice, ExactSlice::Smooth::stress, map, gauss_, rule_.divisions, {},
+                          [&](const std::array<double, 2>& u, double weight) {
+                            const Vector3 X = map(u), normal = weight * map.slope(u, 0).cross(map.slope(u, 1));
+                            const Vector3 force = slice.first_piola_kirchhoff(X) * normal;
+                            sum.force += force;
+                            sum.moment += slice.state(X).x.cross(force);
+                          });
   return sum;
 }
 
 HexahedronAverage::Flux HexahedronAverage::inertia(const ExactSlice& slice, const Hexahedra::Domain& domain) const {
   const MultilinearMap<3> map = map_of<3>(domains_, domain.corners);
   Flux sum;
-  for_each_gauss_point<3>(slice, map, gauss_, rule_.divisions / 2, {},
+  for_each_gauss_point<3>(slice, ExactSlice::Smooth::motion, map, gauss_, rule_.divisions / 2, {},
                           [&](const std::array<double, 3>& u, double weight) {
                             const ExactState now = slice.state(map(u));
                             const Vector3 force = density_ * weight * volume_at(map, u) * now.a;

@@ -121,9 +121,10 @@ class MeridianSlice final : public ExactSlice {
     return p ? state_of(*p, g_) : at_rest(X);
   }
 
-  bool has_parts() const override { return has_edge_ || !fronts_.empty(); }
-  std::size_t part(const Vector3& X) const override {
+  bool has_parts(Smooth of) const override { return has_edge_ || (of == Smooth::stress && !fronts_.empty()); }
+  std::size_t part(const Vector3& X, Smooth of) const override {
     const auto p = finder_.place(X);
+    if (of == Smooth::motion) return has_edge_ && p ? p->vortex + 1 : 0;
     const double xi = p ? p->xi : 0;
     const auto fronts =
         static_cast<std::size_t>(std::lower_bound(fronts_.begin(), fronts_.end(), xi) - fronts_.begin());

@@ -67,7 +67,7 @@ std::size_t ElementMesh::nodes_of_element() const {
   return 1 + *std::max_element(at_corners.begin(), at_corners.end());
 }
 
-NodalLoads::NodalLoads(ElementMesh mesh, double density, const NodalLoadRule& rule)
+NodalLoads::NodalLoads(ElementMesh mesh, const ExactSolution& exact, double density, const NodalLoadRule& rule)
     : mesh_(std::move(mesh)), density_(density), rule_(rule) {
   if (!(density > 0 && std::isfinite(density))) throw MeshFault("the density must be a positive number", "density");
   if (rule_.gauss < 0 || rule_.gauss > NodalLoadRule::most_points)
@@ -98,14 +98,14 @@ NodalLoads::NodalLoads(ElementMesh mesh, double density, const NodalLoadRule& ru
     check_elements<2>();
   else
     check_elements<3>();
+  places_ = exact.places(mesh_.is_plane() ? gauss_points_of_elements<2>() : gauss_points_of_elements<3>());
 }
 
 template <int Dim>
 void NodalLoads::check_elements() const {
   constexpr double flat = 1e-10;  // of a cube's
-  const std::size_t n = mesh_.nodes_of_element();
   for (std::size_t e = 0; e < mesh_.elements(); ++e) {
-    const auto map = map_of_element<Dim>(mesh_, std::span(mesh_.connectivity).subspan(e * n, n));
+    const auto map = map_of_element<Dim>(mesh_, nodes_of(e));
     bool is_sound = true;
     for_each_share<Dim>(gauss_.size(), [&](const std::array<std::size_t, Dim>& index) {
       std::array<double, Dim> u;
@@ -125,20 +125,27 @@ void NodalLoads::check_elements() const {
 }
 
 template <int Dim>
-void NodalLoads::integrate(const ExactSlice& slice, std::span<const std::int64_t> nodes,
+std::vector<Vector3> NodalLoads::gauss_points_of_elements() const {
+  std::vector<Vector3> points;
+  for (std::size_t e = 0; e < mesh_.elements(); ++e) {
+    const auto map = map_of_element<Dim>(mesh_, nodes_of(e));
+    for_each_share<Dim>(gauss_.size(), [&](const std::array<std::size_t, Dim>& index) {
+      std::array<double, Dim> u;
+      for (std::size_t d = 0; d < Dim; ++d) u[d] = 0.5 * (1 + gauss_[index[d]].at);
+      points.push_back(map(u));
+      return true;
+    });
+  }
+  return points;
+}
+
+/// loads: at the Gauss points of the element, should it not be divided.
+template <int Dim>
+void NodalLoads::integrate(const ExactSlice& slice, std::size_t element, std::span<const PointLoad> loads,
                            std::span<Vector3> force) const {
-  const auto map = map_of_element<Dim>(mesh_, nodes);
+  const auto map = map_of_element<Dim>(mesh_, nodes_of(element));
   const auto at_corners = nodes_at_corners(mesh_.shape);
-  const auto add = [&](const std::array<double, Dim>& u, double weight) {
-    const Vector3 X = map(u);
-    Tensor P;
-    Vector3 inertia = Vector3::Zero();
-    if (rule_.quasi_static) {
-      P = slice.first_piola_kirchhoff(X);
-    } else {
-      const ExactPoint now = slice.at(X);
-      P = now.stress.first_piola_kirchhoff, inertia = density_ * now.state.a;
-    }
+  const auto add = [&](const std::array<double, Dim>& u, double weight, const Tensor& P, const Vector3& a) {
     const Slopes<Dim> slopes = slopes_at<Dim>(map, u), to_gradient = slopes.inverse().transpose();
     const double volume = weight * slopes.determinant();
     for (std::size_t k = 0; k < map.corners.size(); ++k) {
@@ -146,24 +153,52 @@ void NodalLoads::integrate(const ExactSlice& slice, std::span<const std::int64_t
       for (int d = 0; d < Dim; ++d) slope(d) = MultilinearMap<Dim>::weight_slope(k, u, static_cast<std::size_t>(d));
       Vector3 gradient = Vector3::Zero();
       gradient.template head<Dim>() = to_gradient * slope;
-      force[at_corners[k]] += volume * (MultilinearMap<Dim>::weight(k, u) * inertia + P * gradient);
+      force[at_corners[k]] += volume * (density_ * MultilinearMap<Dim>::weight(k, u) * a + P * gradient);
     }
   };
-  for_each_gauss_point<Dim>(slice, map, gauss_, Dim == 3 ? rule_.divisions / 2 : rule_.divisions, {}, add);
+  constexpr auto of = ExactSlice::Smooth::stress;
+  const int divisions = Dim == 3 ? rule_.divisions / 2 : rule_.divisions;
+  if (is_divided(slice, of, map, divisions)) {
+    for_each_gauss_point<Dim>(slice, of, map, gauss_, divisions, {}, [&](const auto& u, double weight) {
+      const ExactPoint now = slice.at(map(u));
+      add(u, weight, now.stress.first_piola_kirchhoff, rule_.quasi_static ? Vector3::Zero() : now.state.a);
+    });
+  } else {
+    std::size_t k = 0;
+    for_each_gauss_point<Dim>(slice, of, map, gauss_, 0, {}, [&](const auto& u, double weight) {
+      const PointLoad& here = loads[k++];
+      add(u, weight, tensor_of(here.P.data()), Eigen::Map<const Vector3>(here.a.data()));
+    });
+  }
+}
+
+template <int Dim>
+void NodalLoads::integrate_all(const ExactSlice& slice, std::size_t begin, std::size_t end,
+                               std::span<Vector3> force) const {
+  constexpr std::size_t at_once = 512;  // points
+  constexpr std::ptrdiff_t stride = sizeof(PointLoad) / sizeof(double);
+  const std::size_t n = mesh_.nodes_of_element();
+  const std::size_t each = gauss_.size() * gauss_.size() * (Dim == 3 ? gauss_.size() : 1);
+  const std::size_t some = std::max<std::size_t>(1, at_once / each);
+  std::vector<PointLoad> loads(some * each);
+  FieldViews wanted;
+  wanted.P = {loads.front().P.data(), stride, 1};
+  if (!rule_.quasi_static) wanted.a = {loads.front().a.data(), stride, 1};
+  for (std::size_t first = begin; first < end; first += some) {
+    const std::size_t last = std::min(first + some, end);
+    places_->evaluate(slice, first * each, (last - first) * each, wanted);
+    for (std::size_t e = first; e < last; ++e)
+      integrate<Dim>(slice, e, std::span(loads).subspan((e - first) * each, each), force.subspan(e * n, n));
+  }
 }
 
 std::vector<Vector3> NodalLoads::at(const ExactSlice& slice, const InPieces& pieces) const {
-  const std::size_t n = mesh_.nodes_of_element();
   std::vector<Vector3> of_elements(mesh_.connectivity.size(), Vector3::Zero());
   pieces(mesh_.elements(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      const auto nodes = std::span(mesh_.connectivity).subspan(e * n, n);
-      const auto force = std::span(of_elements).subspan(e * n, n);
-      if (mesh_.is_plane())
-        integrate<2>(slice, nodes, force);
-      else
-        integrate<3>(slice, nodes, force);
-    }
+    if (mesh_.is_plane())
+      integrate_all<2>(slice, begin, end, of_elements);
+    else
+      integrate_all<3>(slice, begin, end, of_elements);
   });
   std::vector<Vector3> force(mesh_.X.size(), Vector3::Zero());
   for (std::size_t k = 0; k < of_elements.size(); ++k)  // in the order of the elements

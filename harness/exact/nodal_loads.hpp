@@ -9,13 +9,16 @@
 // which asks for no derivative of P, and for no list of faces. Without inertia rho0 a is left out.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "harness/exact/exact_fields.hpp"
+#include "harness/exact/places.hpp"
 #include "harness/numeric/gauss.hpp"
 
 namespace assay {
@@ -53,13 +56,19 @@ struct NodalLoadRule {
 
 class NodalLoads {
  public:
-  /// density: rho0 [kg/m^3]. Throws MeshFault: numbers that are not finite, nodes that are not there, elements that are
-  /// inverted or flat.
-  NodalLoads(ElementMesh mesh, double density, const NodalLoadRule& rule = {});
+  /// What is integrated, at a point: P, row-major [Pa], and a, 0 without inertia [m/s^2].
+  struct PointLoad {
+    std::array<double, 9> P{};
+    std::array<double, 3> a{};
+  };
 
-  /// The force on each node at the slice's time [N], of plane elements per metre of thickness [N/m]; a node of no
-  /// element has none. The same to the last bit in any number of pieces. Elements should lie in the body: elsewhere the
-  /// motion goes on by its formula. Throws MaterialFailure.
+  /// Lives no longer than the solution. density: rho0 [kg/m^3]. Throws MeshFault: numbers that are not finite, nodes
+  /// that are not there, elements that are inverted or flat.
+  NodalLoads(ElementMesh mesh, const ExactSolution& exact, double density, const NodalLoadRule& rule = {});
+
+  /// The force on each node at the time of a slice of that solution [N], of plane elements per metre of thickness
+  /// [N/m]; a node of no element has none. The same to the last bit in any number of pieces. Elements should lie in the
+  /// body: elsewhere the motion goes on by its formula. Throws MaterialFailure.
   std::vector<Vector3> at(const ExactSlice& slice, const InPieces& pieces = in_one_piece) const;
 
   const ElementMesh& mesh() const { return mesh_; }
@@ -68,12 +77,23 @@ class NodalLoads {
   template <int Dim>
   void check_elements() const;
   template <int Dim>
-  void integrate(const ExactSlice& slice, std::span<const std::int64_t> nodes, std::span<Vector3> force) const;
+  std::vector<Vector3> gauss_points_of_elements() const;
+  template <int Dim>
+  void integrate(const ExactSlice& slice, std::size_t element, std::span<const PointLoad> loads,
+                 std::span<Vector3> force) const;
+  template <int Dim>
+  void integrate_all(const ExactSlice& slice, std::size_t begin, std::size_t end, std::span<Vector3> force) const;
+
+  std::span<const std::int64_t> nodes_of(std::size_t element) const {
+    const std::size_t n = mesh_.nodes_of_element();
+    return std::span(mesh_.connectivity).subspan(element * n, n);
+  }
 
   ElementMesh mesh_;
   double density_;
   NodalLoadRule rule_;
   std::vector<GaussPoint> gauss_;
+  std::unique_ptr<const ExactPlaces> places_;  ///< the Gauss points of all elements that are not divided
 };
 
 }  // namespace assay

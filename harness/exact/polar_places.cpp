@@ -7,11 +7,10 @@
 //   F = r B q^T, P = r tau q^T, sigma = r (tau B^T/J) r^T, b = r (b_r, b_theta, b_z)    r at Theta + alpha, q at Theta
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "harness/exact/places.hpp"
 #include "harness/exact/polar.hpp"
-#include "harness/numeric/vector_clones.h"
+#include "harness/exact/polar_radii.hpp"
 
 namespace assay {
 
@@ -19,70 +18,9 @@ namespace {
 
 constexpr std::size_t piece_points = 512;  ///< the columns of their radii stay in the fast caches
 
-/// What an array of radii has each of.
-struct RadiusColumns {
-  std::vector<double> R, h, h_prime, xi, xi_slope;
-  std::vector<RingRadial> radial;  ///< empty where no radius changes
-
-  void add(const Motion& motion, double radius) {
-    const PolarMotion& polar = *motion->polar();
-    const RingProfile profile = polar.profile(radius);
-    const RingParameter parameter = ring_parameter(motion, radius);
-    R.push_back(radius), h.push_back(profile.h), h_prime.push_back(profile.h_prime);
-    xi.push_back(parameter.value), xi_slope.push_back(parameter.slope);
-    if (polar.widens()) radial.push_back(polar.radial(radius));
-  }
-  void add(const RadiusColumns& from, std::size_t k) {
-    R.push_back(from.R[k]), h.push_back(from.h[k]), h_prime.push_back(from.h_prime[k]);
-    xi.push_back(from.xi[k]), xi_slope.push_back(from.xi_slope[k]);
-    if (!from.radial.empty()) radial.push_back(from.radial[k]);
-  }
-  void clear() { R.clear(), h.clear(), h_prime.clear(), xi.clear(), xi_slope.clear(), radial.clear(); }
-};
-
 /// Components 11, 12, 21, 22 and 31 of tau and its slope, which DIV(T) has.
 constexpr unsigned of_force = 1u << 0 | 1u << 1 | 1u << 3 | 1u << 4 | 1u << 6;
 constexpr unsigned all_nine = (1u << 9) - 1;
-
-struct ForceColumns {
-  std::vector<double> r, theta, z;  ///< of -DIV(T)/rho0 [m/s^2]
-};
-
-/// -DIV(T)/rho0 of n radii by (26) and (27), with J sigma = tau F^T symmetric where it is so but for the error of
-/// interpolation: as body_force() of one radius. balances: of the vortex.
-ASSAY_VECTOR_CLONES void static_force(std::size_t n, const double* __restrict R, const double* __restrict h,
-                                      const double* __restrict h_prime, const double* __restrict xi,
-                                      const double* __restrict xi_slope, const double* __restrict tau,
-                                      const double* __restrict slopes, double g, double density, bool balances,
-                                      double* __restrict r, double* __restrict theta, double* __restrict z) {
-  constexpr double error_at_most = 1e-5;
-  const double *t11 = tau, *t12 = tau + n, *t21 = tau + 3 * n, *t22 = tau + 4 * n, *t31 = tau + 6 * n;
-  const double *d11 = slopes, *d12 = slopes + n, *d21 = slopes + 3 * n, *d22 = slopes + 4 * n, *d31 = slopes + 6 * n;
-  const double balanced = balances ? 1 : 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double pushed = 2 * g * xi[i] * t11[i], pushed_slope = 2 * g * xi[i] * d11[i] + 2 * g * t11[i];
-    const double half = 0.5 * (t12[i] + pushed - t21[i]), half_slope = 0.5 * (d12[i] + pushed_slope - d21[i]);
-    double most = std::abs(t11[i]), most_slope = std::abs(d11[i]);
-    most = std::abs(t12[i]) > most ? std::abs(t12[i]) : most;
-    most = std::abs(t21[i]) > most ? std::abs(t21[i]) : most;
-    most = std::abs(t22[i]) > most ? std::abs(t22[i]) : most;
-    most_slope = std::abs(d12[i]) > most_slope ? std::abs(d12[i]) : most_slope;
-    most_slope = std::abs(d21[i]) > most_slope ? std::abs(d21[i]) : most_slope;
-    most_slope = std::abs(d22[i]) > most_slope ? std::abs(d22[i]) : most_slope;
-    const double near = std::abs(half) > error_at_most * most ? 0 : balanced;
-    const double fits = std::abs(half_slope) > error_at_most * most_slope ? 0 : near;
-    const double s21 = t21[i] + fits * half, s12 = fits > 0 ? s21 - pushed : t12[i];
-    const double s21_slope = d21[i] + fits * half_slope;
-    const double turned = g * h_prime[i];
-    const double along_r = xi_slope[i] * d11[i] - turned * s21 + (t11[i] - t22[i]) / R[i];      // (26)
-    const double along_theta = xi_slope[i] * s21_slope + turned * t11[i] + (s12 + s21) / R[i];  // (27)
-    const double along_z = xi_slope[i] * d31[i] + t31[i] / R[i];
-    const bool moves = !balances || h[i] != 0 || xi_slope[i] != 0;
-    r[i] = moves ? -along_r / density : 0;
-    theta[i] = moves ? -along_theta / density : 0;
-    z[i] = moves ? -along_z / density : 0;
-  }
-}
 
 class PolarSlice final : public ExactSlice {
  public:
@@ -103,10 +41,11 @@ class PolarSlice final : public ExactSlice {
     return found;
   }
   ExactState state(const Vector3& X) const override { return solution_.state(X, t); }
-  bool has_parts() const override { return true; }
-  std::size_t part(const Vector3& X) const override {
+  bool has_parts(Smooth) const override { return true; }
+  std::size_t part(const Vector3& X, Smooth of) const override {
     const double R = std::hypot(X.x(), X.y());
     if (!ring_.holds(R)) return 0;
+    if (of == Smooth::motion) return 1;
     const double xi = ring_parameter(solution_.motion(), R).value;
     return 1 + static_cast<std::size_t>(std::lower_bound(fronts_.begin(), fronts_.end(), xi) - fronts_.begin());
   }
@@ -148,8 +87,7 @@ class RadiiNow {
     tau_.assign(9 * n, 0), slopes_.assign(9 * n, 0);
     now_.response->many(radii.xi, out_.P || out_.sigma ? all_nine : of_force, tau_.data(), slopes_.data());
     if (!out_.b && !out_.static_force) return;
-    for (auto* column : {&force_.r, &force_.theta, &force_.z}) column->resize(n);
-    find_forces();
+    force_.set(radii, tau_, slopes_, now_.turn.value, now_.density);
   }
 
   /// Of a point that lies on radius k at the angle whose cosine and sine are c, s.
@@ -197,13 +135,6 @@ class RadiiNow {
     RingKinematics ring = RingKinematics::turned(radii_->R[k], profile, now_.turn);
     if (!radii_->radial.empty()) ring.widen(radii_->radial[k], now_.widening);
     return ring;
-  }
-
-  void find_forces() {
-    const std::size_t n = radii_->R.size();
-    static_force(n, radii_->R.data(), radii_->h.data(), radii_->h_prime.data(), radii_->xi.data(),
-                 radii_->xi_slope.data(), tau_.data(), slopes_.data(), now_.turn.value, now_.density,
-                 radii_->radial.empty(), force_.r.data(), force_.theta.data(), force_.z.data());
   }
 
   /// (32) and (33), where a ring widens with its own inertia; along z that of a direction out of the plane.

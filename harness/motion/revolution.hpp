@@ -56,7 +56,7 @@ struct Revolution {
     axis_key(key, axis, alone);
     key("center", "point on the axis, in the middle of the vortex [m]", center, {.shown = alone});
     key("strength", "factor of the angle against that of the amplitude, of either sign [1]", strength,
-        {.shown = alone});
+        {.range = {.lower = -sizes.upper, .upper = sizes.upper}, .shown = alone});
   }
 
   using Shape =

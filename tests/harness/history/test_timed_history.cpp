@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/motion/kinds/vortex.hpp"
+#include "harness/motion/motion.hpp"
 #include "tests/harness/builtin_material.hpp"
 
 namespace assay::test_timed_history {
