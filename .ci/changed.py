@@ -25,7 +25,7 @@ CALLS = {
     "long": HOW + r"drivers/|mpm/|adapters/|harness/|tests/|configs/|docs/check[.]md",
     "foreign": r"drivers/library/|tests/foreign",
     "bench": HOW + r"bench/",
-    "package": HOW + r"tests/(package|downstream)/|harness/assay_material|adapters/(models|abaqus)/|completions/|configs/|"
+    "package": HOW + r"tests/(package|downstream)/|harness/assay_material|drivers/library/|adapters/(models|abaqus)/|completions/|configs/|"
                      r"docs/assay[.]1|README|LICENSE|THIRD_PARTY|CHANGELOG",
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)

@@ -2,6 +2,7 @@
 #include "adapters/library.hpp"
 
 #include <dlfcn.h>
+#include <sys/auxv.h>
 #include <sys/statvfs.h>
 
 #include <algorithm>
@@ -101,6 +102,18 @@ const assay_material* table_of_library(const std::string& path, const std::strin
 }
 
 void* next_function(const char* name) { return dlsym(RTLD_NEXT, name); }
+
+const std::string& own_library() {
+  static const std::string found = [] {
+    Dl_info own{}, program{};
+    const unsigned long heads = ::getauxval(AT_PHDR);  // of the program's own file
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    const bool is_known = dladdr(reinterpret_cast<const void*>(&own_library), &own) != 0 &&
+                          dladdr(reinterpret_cast<const void*>(heads), &program) != 0;
+    return is_known && own.dli_fbase != program.dli_fbase ? std::string(own.dli_fname) : std::string();
+  }();
+  return found;
+}
 
 std::string file_of(const assay_material* table) {
   Dl_info info{}, own{};

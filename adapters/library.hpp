@@ -49,6 +49,10 @@ const assay_material* table_of_library(const std::string& path, const std::strin
 /// none.
 void* next_function(const char* name);
 
+/// The shared library that this code is in, as the loader knows it; empty: it is in the program itself, which may do
+/// with its process what it likes.
+const std::string& own_library();
+
 /// What file_of() says of a model that is built into this program.
 inline constexpr const char* own_file = "/proc/self/exe";
 

@@ -8,6 +8,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "harness/exact/hexahedra.hpp"
+#include "harness/exact/places.hpp"
 #include "harness/motion/kinds/vortex.hpp"
 #include "harness/motion/kinds/vortex3d.hpp"
 
@@ -28,18 +29,21 @@ const std::string elastic = "adapter: neo_hookean, parameters: {E: 1.0e+3, nu: 0
 const std::string plastic =
     "adapter: j2_jaumann, parameters: {E: 1.0e+6, nu: 0.3, yield_stress: 1.5e+4, hardening_modulus: 1.0e+5}";
 
-std::shared_ptr<const Response> response_of(const std::string& text, const Path& path) {
+const std::string viscous = "adapter: zener";
+
+/// tabulated: though there is a closed form.
+std::shared_ptr<const Response> response_of(const std::string& text, const Path& path, bool tabulated = false) {
   const auto material = material_named(text);
-  if (text == elastic) return std::make_shared<const Response>(*ClosedForm::of(material, path));
+  if (text == elastic && !tabulated) return std::make_shared<const Response>(*ClosedForm::of(material, path));
   return std::make_shared<const Response>(Sheet(*material, path, {.tolerance = 1e-8, .end = end}));
 }
 
 Vortex plane() { return {.profile_power = 4, .amplitude = {Amplitude::Type::sine, 0.1, 1}}; }
 Vortex3d ball() { return {{.axis = {1, 2, 3}}, {}, {Amplitude::Type::sine, 0.1, 1}}; }
 
-ExactSolutionPtr solution(const std::string& text, bool in_space) {
-  if (in_space) return exact_meridian(ball(), rho, response_of(text, ball().baseline()));
-  return exact_polar(plane(), rho, response_of(text, Motion(plane())->baseline()));
+ExactSolutionPtr solution(const std::string& text, bool in_space, bool tabulated = false) {
+  if (in_space) return exact_meridian(ball(), rho, response_of(text, ball().baseline(), tabulated));
+  return exact_polar(plane(), rho, response_of(text, Motion(plane())->baseline(), tabulated));
 }
 
 /// Random points of the ring or of the ball: no two share a radius.
@@ -87,6 +91,21 @@ void in_instant(benchmark::State& state, const std::string& text) {
   state.SetItemsProcessed(static_cast<std::int64_t>(n) * state.iterations());
 }
 
+/// b alone of 20,000 registered points, at a new time each, as another code asks for it.
+void at_places(benchmark::State& state, const std::string& text, bool in_space) {
+  constexpr std::size_t n = 20'000;
+  const auto exact = solution(text, in_space, true);
+  const auto places = exact->places(points_of(in_space, n));
+  std::vector<double> b(3 * n);
+  const FieldViews wanted{.b = {b.data(), 3, 1}};
+  double t = 0.4;
+  for (auto _ : state) {
+    places->evaluate(*exact->slice(t += 1e-6), 0, n, wanted);
+    benchmark::DoNotOptimize(b.data());
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(n) * state.iterations());
+}
+
 /// Means of b over the cubes of a lattice in the ball.
 void means_in_ball(benchmark::State& state, const std::string& text) {
   constexpr double edge = 1.0 / 16;
@@ -125,6 +144,11 @@ BENCHMARK_CAPTURE(at_points, plane_j2, plastic, false);
 BENCHMARK_CAPTURE(at_points, ball_j2, plastic, true);
 BENCHMARK_CAPTURE(in_instant, plane_neo_hookean, elastic);
 BENCHMARK_CAPTURE(in_instant, plane_j2, plastic);
+BENCHMARK_CAPTURE(at_places, plane_neo_hookean, elastic, false);
+BENCHMARK_CAPTURE(at_places, plane_zener, viscous, false);
+BENCHMARK_CAPTURE(at_places, plane_j2, plastic, false);
+BENCHMARK_CAPTURE(at_places, ball_neo_hookean, elastic, true);
+BENCHMARK_CAPTURE(at_places, ball_j2, plastic, true);
 BENCHMARK_CAPTURE(means_in_ball, neo_hookean, elastic)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(means_in_ball, j2, plastic)->Unit(benchmark::kMillisecond);
 BENCHMARK(million_points)->Unit(benchmark::kMillisecond)->Iterations(1);

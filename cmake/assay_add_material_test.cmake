@@ -21,7 +21,7 @@ function(assay_add_material_test name)
   endif()
   _assay_material_of(${given_MATERIAL} material)
   set(files ${CMAKE_CURRENT_BINARY_DIR}/${name}.check)
-  set(command $<TARGET_FILE:assay::assay> check ${material} -o ${files})
+  set(command $<TARGET_FILE:assay::program> check ${material} -o ${files})
   if(NOT given_DIAGNOSIS) # what is broken on purpose would be a failure in the eyes of CI
     list(APPEND command --junit ${files}.xml --junit-name ${name})
   endif()

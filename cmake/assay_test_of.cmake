@@ -4,7 +4,7 @@
 # A test of ctest that calls assay. Libraries of descriptions are looked for where this folder's targets are built, then
 # where each model of the whole project is built.
 function(_assay_add_test test command)
-  if(NOT TARGET assay::assay)
+  if(NOT TARGET assay::program)
     message(FATAL_ERROR "test ${test}: say find_package(assay REQUIRED) in this CMakeLists.txt, or in one above it, first")
   endif()
   _assay_tell_built()

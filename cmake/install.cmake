@@ -12,6 +12,9 @@ set(fortran_module ${include_dir}/harness/assay_material.f90)
 install(TARGETS ${material_plugins} LIBRARY DESTINATION ${materials_dir})
 install(TARGETS assay_abaqus LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${abaqus_folder})
 install(FILES harness/assay_material.h harness/assay_material.f90 DESTINATION ${include_dir}/harness)
+# The library from Python and Fortran.
+install(FILES ${python_sources} DESTINATION lib/python3/dist-packages/assay)
+install(FILES drivers/library/assay.f90 DESTINATION ${include_dir})
 install(FILES ${PROJECT_BINARY_DIR}/assay.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES LICENSE THIRD_PARTY.md CHANGELOG.md CONTRIBUTING.md SECURITY.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN site EXCLUDE)
@@ -29,7 +32,8 @@ install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\"
   -P \"${PROJECT_SOURCE_DIR}/cmake/installed_links.cmake\" COMMAND_ERROR_IS_FATAL ANY)")
 install(DIRECTORY configs/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/assay) # and beside the scenes, which name it so
 # Those of configs/foreign take libraries that the tests compile.
-install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/assay USE_SOURCE_PERMISSIONS PATTERN foreign EXCLUDE)
+install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/assay USE_SOURCE_PERMISSIONS PATTERN foreign EXCLUDE
+  PATTERN __pycache__ EXCLUDE)
 install(FILES completions/assay.bash RENAME assay DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES completions/_assay DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 install(FILES completions/assay.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
@@ -38,7 +42,10 @@ add_library(assay_abi INTERFACE)
 set_target_properties(assay_abi PROPERTIES EXPORT_NAME abi)
 target_include_directories(assay_abi INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${include_dir}>)
-install(TARGETS assay_abi assay EXPORT assay_targets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+set_target_properties(assay PROPERTIES EXPORT_NAME program) # assay::assay is the library
+install(TARGETS assay_abi assay assay_library EXPORT assay_targets
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES drivers/library/assay.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT assay_targets NAMESPACE assay:: FILE assay-targets.cmake DESTINATION ${package_dir})
 
 configure_package_config_file(cmake/assay-config.cmake.in ${PROJECT_BINARY_DIR}/package/assay-config.cmake
@@ -72,3 +79,13 @@ file(RELATIVE_PATH prefix_of_pc ${CMAKE_INSTALL_PREFIX}/${pc_dir} ${CMAKE_INSTAL
 string(REGEX REPLACE "/$" "" prefix_of_pc "${prefix_of_pc}")
 configure_file(cmake/assay-abi.pc.in ${PROJECT_BINARY_DIR}/package/assay-abi.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/package/assay-abi.pc DESTINATION ${pc_dir})
+
+set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig) # the library is of one architecture
+file(RELATIVE_PATH prefix_of_pc ${CMAKE_INSTALL_PREFIX}/${pc_dir} ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" prefix_of_pc "${prefix_of_pc}")
+set(assay_pc_prefix "\${pcfiledir}/${prefix_of_pc}")
+set(assay_pc_include "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+set(assay_pc_lib "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
+set(assay_pc_fortran "\${prefix}/${include_dir}/assay.f90")
+configure_file(cmake/assay.pc.in ${PROJECT_BINARY_DIR}/package/assay.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/assay.pc DESTINATION ${pc_dir})

@@ -29,7 +29,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Not recommended: apt would install compilers for whoever runs scenes only.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, g++, gfortran, pkgconf | pkg-config")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, g++, gfortran, pkgconf | pkg-config, python3, python3-numpy")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_LICENCE_FILE ${PROJECT_SOURCE_DIR}/LICENSE) # read by debian_files.cmake

@@ -17,7 +17,8 @@ function(compile_rooms_together target size)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP
     UNITY_BUILD_CODE_BEFORE_INCLUDE "#pragma GCC diagnostic ignored \"-Wshadow\"")
   list(FILTER sources INCLUDE REGEX "[.]cpp$")
-  list(FILTER sources EXCLUDE REGEX "stiff_integrator|mpm/kernels/variants/|picture/canvas") # they have own options
+  # they have own options; the library has something else in place of kernels.cpp
+  list(FILTER sources EXCLUDE REGEX "stiff_integrator|mpm/kernels/variants/|picture/canvas|mpm/kernels/kernels[.]cpp")
   set(rooms "")
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${directory})
@@ -41,7 +42,7 @@ function(compile_rooms_together target size)
   endforeach()
 endfunction()
 
-foreach(target IN ITEMS assay_harness assay_adapters assay_models assay_mpm assay_mpm_3d assay_drivers)
+foreach(target IN ITEMS assay_harness assay_adapters assay_models assay_mpm assay_mpm_3d assay_drivers assay_library)
   compile_rooms_together(${target} 24)
 endforeach()
 if(ASSAY_BUILD_TESTS AND NOT ASSAY_TESTS_OF)

@@ -13,3 +13,10 @@ string(JOIN ":" threaded "Parallel.*" "Blocks.*" "Crew.TakesEach*" "Crew.Members
   "*NumberOfThreads/cpdi_*" "*NumberOfThreads/bspline3_*" "Sweep.T*" "MaterialBatches.GiveBit*"
   "MaterialBatches.AnInstance*" "MaterialBatches.ARefused*")
 gtest_discover_tests(test_races DISCOVERY_TIMEOUT 60 TEST_PREFIX Races/ TEST_FILTER "${threaded}")
+
+# libassay in a host with threads: slices of times that several ask for at once, and problems that are opened so.
+add_executable(test_library_races drivers/library/test_points.cpp drivers/library/test_call.cpp)
+target_link_libraries(test_library_races PRIVATE assay_library assay_options GTest::gtest_main)
+target_include_directories(test_library_races PRIVATE ${PROJECT_SOURCE_DIR})
+gtest_discover_tests(test_library_races DISCOVERY_TIMEOUT 60 TEST_PREFIX Races/
+  TEST_FILTER "Points.Threads*:Host.OpensProblems*")

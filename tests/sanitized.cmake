@@ -60,6 +60,10 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
   *MisbehavingModel.*ByARun*closes_output
   SceneReader.EveryTrunc* ReportInBrowser* EffectList.Owns* TimeNoise.Noise* ParticlePicture*)
 
+set(shards_of_test_library 2)
+set(left_out_of_test_library # a second copy of the sanitizer; most motions
+  Workers.NeedThe* Workers.AreOf* Workers.OfAnother* SameAs*plastic SameAs*viscous)
+
 set(shards_of_test_house 1)
 set(left_out_of_test_house Threads.*)
 set(shards_of_test_fuzz_corpus 1)

@@ -128,7 +128,9 @@ Forked::End end_of(const Fate& fate, bool done) {
 }  // namespace
 
 KeptProcess::KeptProcess(std::size_t bytes, bool by_fork, const WorkerLimits& limits)
-    : memory_(by_fork ? SharedMemory::of_forks(bytes) : SharedMemory(bytes)), time_limit_(limits.seconds) {
+    : memory_(by_fork ? SharedMemory::of_forks(bytes) : SharedMemory(bytes)),
+      keeper_file_(-1),
+      time_limit_(limits.seconds) {
   fate().time_limit = limits.seconds;
   fate().memory_limit = static_cast<std::uint64_t>(limits.gigabytes * 1e9);
 }
@@ -136,7 +138,7 @@ KeptProcess::KeptProcess(std::size_t bytes, bool by_fork, const WorkerLimits& li
 KeptProcess::KeptProcess(std::size_t bytes, const WorkerLimits& limits, const Start& start)
     : KeptProcess(bytes, false, limits) {
   fate().begin = 1;
-  keeper_ = start(memory_, lifeline_.in());
+  know_keeper(start(memory_, lifeline_.in()));
   lifeline_.close_in();
 }
 
@@ -149,8 +151,24 @@ KeptProcess::KeptProcess(const Kept& what, const WorkerLimits& limits) : KeptPro
     lifeline_.close_out();
     leave_now(keep(what, fate(), lifeline_.in()));
   }
+  know_keeper(keeper_);
   lifeline_.close_in();
   begin();
+}
+
+void KeptProcess::know_keeper(pid_t keeper) {
+  keeper_ = keeper;
+  const OpenFile low(static_cast<int>(::syscall(SYS_pidfd_open, keeper, 0)));
+  if (low.number() >= 0) keeper_file_.take(high_copy(low.number()));
+}
+
+/// A number may have become another process's, once somebody has waited for this one.
+void KeptProcess::signal_keeper(int signal) const {
+  if (keeper_file_.number() < 0) {
+    ::kill(keeper_, signal);
+  } else {
+    ::syscall(SYS_pidfd_send_signal, keeper_file_.number(), signal, nullptr, 0);
+  }
 }
 
 /// A model may end the keeper, or write over the page, as soon as it is at work.
@@ -169,6 +187,7 @@ void KeptProcess::begin() {
 }
 
 KeptProcess::~KeptProcess() {
+  if (host_ != ::getpid()) return;
   if (process_ > 0 && fate().end() == Death::none) end();
   lifeline_.close_out();
   await_end(keeper_);
@@ -184,9 +203,16 @@ KeptProcess::~KeptProcess() {
 bool KeptProcess::keeper_is_gone() const {
   siginfo_t ended = {};
   const int kinds = WEXITED | WNOHANG | WNOWAIT | (ends_when_stopped_ ? WSTOPPED : 0);
-  if (::waitid(P_PID, static_cast<id_t>(keeper_), &ended, kinds) != 0 || ended.si_pid != keeper_) return false;
-  if (ended.si_code == CLD_STOPPED) ::kill(keeper_, SIGKILL);
-  return true;
+  if (::waitid(P_PID, static_cast<id_t>(keeper_), &ended, kinds) == 0) {
+    if (ended.si_pid != keeper_) return false;
+    if (ended.si_code == CLD_STOPPED) signal_keeper(SIGKILL);
+    return true;
+  }
+  if (errno != ECHILD) return false;
+  // somebody else waits for the children of this process, or nobody may: the signal of their ends is ignored
+  if (keeper_file_.number() < 0) return ::kill(keeper_, 0) != 0;
+  pollfd over{keeper_file_.number(), POLLIN, 0};
+  return ::poll(&over, 1, 0) > 0;
 }
 
 /// A call has taken so long that the keeper should have ended it.
@@ -198,8 +224,8 @@ bool KeptProcess::keeper_is_stuck() const {
 
 bool KeptProcess::is_over() const {
   if (fate().death.load() != 0) return true;
-  if (!ends_when_stopped_) ::kill(keeper_, SIGCONT);  // a model may have stopped it
-  if (keeper_is_stuck()) ::kill(keeper_, SIGKILL);
+  if (!ends_when_stopped_) signal_keeper(SIGCONT);  // a model may have stopped it
+  if (keeper_is_stuck()) signal_keeper(SIGKILL);
   std::uint32_t none = 0;
   if (keeper_is_gone()) fate().death.compare_exchange_strong(none, static_cast<std::uint32_t>(Death::lost));
   return fate().death.load() != 0;

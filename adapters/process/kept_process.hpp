@@ -74,13 +74,17 @@ class KeptProcess {
  private:
   KeptProcess(std::size_t bytes, bool by_fork, const WorkerLimits& limits);
   void begin();
+  void know_keeper(pid_t keeper);
   bool keeper_is_gone() const;
   bool keeper_is_stuck() const;
+  void signal_keeper(int signal) const;
 
   SharedMemory memory_;
   Pipe lifeline_;
+  pid_t host_ = ::getpid();  ///< whose it is: a copy of that process has it not
   pid_t keeper_ = -1;
-  pid_t process_ = 0;  ///< as it was at first: the model can write into the page
+  OpenFile keeper_file_;  ///< stands for it, whoever waits for the children of this process; negative: an old kernel
+  pid_t process_ = 0;     ///< as it was at first: the model can write into the page
   double time_limit_;
   bool ends_when_stopped_ = false;
 };

@@ -20,6 +20,7 @@ class OpenFile {
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
   int number() const { return number_; }
+  void take(int number) { close(), number_ = number; }
   /// What the system says of it, which errno explains.
   int close() { return number_ < 0 ? 0 : ::close(std::exchange(number_, -1)); }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
 
 namespace assay::adapters {
 
@@ -94,6 +95,11 @@ void note_killed_worker() {
 std::string shortage() {
   const std::lock_guard lock(guard);
   return noted;
+}
+
+std::string take_shortage() {
+  const std::lock_guard lock(guard);
+  return std::exchange(noted, {});
 }
 
 }  // namespace assay::adapters

@@ -31,4 +31,7 @@ void note_killed_worker();
 /// What was noted; empty: nothing.
 std::string shortage();
 
+/// The same, which is forgotten: for a process that goes on.
+std::string take_shortage();
+
 }  // namespace assay::adapters

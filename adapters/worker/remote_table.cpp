@@ -136,6 +136,8 @@ AllTables& all_tables() {
   return all;
 }
 
+thread_local OwnRemoteTables* owner_of_tables = nullptr;
+
 /// What `ask` says of a remote table, while no other is made or ends; `otherwise` of any other table.
 template <class Value, class Ask>
 Value of_remote(const assay_material* table, const Value& otherwise, const Ask& ask) {
@@ -219,6 +221,7 @@ const assay_material* remote_table(const WorkerStart& start) {
   table->extension_of = extension_remote;
   table->flags |= ASSAY_THREAD_SAFE;  // one worker a call
   const std::lock_guard lock(all_tables().guard);
+  if (owner_of_tables) owner_of_tables->tables_.push_back(table.get());
   return all_tables().tables.emplace_back(std::move(table)).get();
 }
 
@@ -256,6 +259,28 @@ void end_workers() {
     for (const auto& slot : table->slots) table->keep_marks_of(slot->worker);
     table->slots.clear();
   }
+}
+
+OwnRemoteTables::OwnRemoteTables() { owner_of_tables = this; }
+
+OwnRemoteTables::~OwnRemoteTables() {
+  all_are_told();
+  for (const assay_material* table : tables_) forget_remote_table(table);
+}
+
+void OwnRemoteTables::all_are_told() {
+  if (owner_of_tables == this) owner_of_tables = nullptr;
+}
+
+void forget_remote_table(const assay_material* table) {
+  if (owner_of_tables) std::erase(owner_of_tables->tables_, table);
+  std::unique_ptr<RemoteTable> ended;  // its workers end when no other table has to wait for them
+  const std::lock_guard lock(all_tables().guard);
+  auto& all = all_tables().tables;
+  const auto found = std::ranges::find_if(all, [&](const auto& each) { return each.get() == table; });
+  if (found == all.end()) return;
+  ended = std::move(*found);
+  all.erase(found);
 }
 
 }  // namespace assay::adapters

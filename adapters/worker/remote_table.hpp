@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "adapters/foreign/written_inputs.hpp"
 #include "adapters/library.hpp"
@@ -39,5 +40,24 @@ void keep_marks(const assay_material* table, const WorkerProcess& worker);
 
 /// Ends the workers of all remote tables: to be called before the process ends.
 void end_workers();
+
+/// Ends a remote table with its workers; nothing happens to any other table. Nobody may use it any more.
+void forget_remote_table(const assay_material* table);
+
+/// The remote tables that a thread makes until all are told, or until this ends, which ends them. At most one a thread
+/// at a time is being told.
+class OwnRemoteTables {
+ public:
+  OwnRemoteTables();
+  ~OwnRemoteTables();
+  OwnRemoteTables(const OwnRemoteTables&) = delete;
+  OwnRemoteTables& operator=(const OwnRemoteTables&) = delete;
+  void all_are_told();
+
+ private:
+  friend const assay_material* remote_table(const WorkerStart& start);
+  friend void forget_remote_table(const assay_material* table);
+  std::vector<const assay_material*> tables_;
+};
 
 }  // namespace assay::adapters

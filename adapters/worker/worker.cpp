@@ -151,11 +151,15 @@ std::uint32_t answered = 0;  ///< requests; where no model writes over it
 
 }  // namespace
 
-int run_worker(const std::function<void(WorkerFloor&)>& work) {
+int run_worker(const std::function<void(WorkerFloor&)>& work, const std::string& own, const std::string& host) {
   const SharedMemory memory = SharedMemory::of_file(memory_file);
   auto* base = static_cast<char*>(memory.data());
+  if (!host.empty() && host != own) {
+    own.copy(base + memory.size() - refusal_size, refusal_size - 1);
+    return 2;
+  }
   WorkerFloor floor{*static_cast<Control*>(memory.data()), base + task_offset, base + arrays_offset,
-                    memory.size() - arrays_offset};
+                    memory.size() - arrays_offset - refusal_size};
   enlarge_stack(std::size_t{1} << 26);
   const auto worker = [&](Fate& fate) {
     int status = 0;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "adapters/worker/hand_over.hpp"
@@ -22,8 +23,10 @@ struct WorkerFloor {
 };
 
 /// The whole life of `assay worker`: takes the files that the host has left open and is the keeper of the worker
-/// proper, which runs `work`. Returns the exit status.
-int run_worker(const std::function<void(WorkerFloor&)>& work);
+/// proper, which runs `work`. Returns the exit status. own: the build of this program; host: that of a host, empty if
+/// it has told none. Where they differ, the host is told.
+int run_worker(const std::function<void(WorkerFloor&)>& work, const std::string& own = {},
+               const std::string& host = {});
 
 /// By the worker: waits for the next call; its operation. Tells that it is answered.
 std::uint32_t next_request(Control& control);

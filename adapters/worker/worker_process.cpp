@@ -4,18 +4,56 @@
 #include <spawn.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 #include <system_error>
 
+#include "adapters/library.hpp"
 #include "adapters/process/shortage.hpp"
 #include "harness/numeric/number_text.hpp"
 
 namespace assay::adapters {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_program(const fs::path& file) {
+  std::error_code code;
+  return fs::is_regular_file(file, code) && ::access(file.c_str(), X_OK) == 0;
+}
+
+/// Throws std::system_error.
+std::string program_of_library(const fs::path& library) {
+  constexpr const char* name = "assay";
+  std::error_code code;
+  const fs::path file = fs::canonical(library, code);
+  fs::path above = file.parent_path();
+  if (is_program(above / name)) return (above / name).string();
+  constexpr int most = 3;  // PREFIX/lib/x86_64-linux-gnu
+  for (int k = 0; k < most && above.has_relative_path(); ++k) {
+    above = above.parent_path();
+    if (is_program(above / "bin" / name)) return (above / "bin" / name).string();
+  }
+  if (const char* said = std::getenv("ASSAY_PROGRAM"); said && *said) return said;
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (folder.starts_with('/') && is_program(fs::path(folder) / name)) return (fs::path(folder) / name).string();
+  }
+  throw std::system_error(ENOENT, std::generic_category(),
+                          "the program assay is neither beside " + file.string() +
+                              " nor in bin of its installation, nor is it $ASSAY_PROGRAM or in $PATH");
+}
+
+}  // namespace
+
 std::string worker_program() {
-  namespace fs = std::filesystem;
+  if (!own_library().empty()) return program_of_library(own_library());
   std::error_code code;
   const fs::path self = fs::read_symlink("/proc/self/exe", code);
   if (code || self.filename() == "assay") return "/proc/self/exe";
@@ -45,7 +83,8 @@ pid_t started(const WorkerStart& start, const SharedMemory& memory, int lifeline
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
   const std::string program = worker_program();
   char name[] = "assay", verb[] = "worker";
-  char* words[] = {name, verb, nullptr};
+  std::string build = start.build;
+  char* words[] = {name, verb, build.empty() ? nullptr : build.data(), nullptr};
   pid_t child = -1;
   const int failed = ::posix_spawn(&child, program.c_str(), &files, &attributes, words, environ);
   ::posix_spawnattr_destroy(&attributes);
@@ -57,9 +96,10 @@ pid_t started(const WorkerStart& start, const SharedMemory& memory, int lifeline
 }  // namespace
 
 WorkerProcess::WorkerProcess(const WorkerStart& start)
-    : limits_(start.limits), kept_(shared_size, start.limits, [&](const SharedMemory& memory, int lifeline) {
-        return started(start, memory, lifeline);
-      }) {}
+    : limits_(start.limits),
+      build_(start.build),
+      kept_(shared_size, start.limits,
+            [&](const SharedMemory& memory, int lifeline) { return started(start, memory, lifeline); }) {}
 
 /// Where the system was short of something, that is noted.
 bool WorkerProcess::is_dead() const {
@@ -73,6 +113,21 @@ bool WorkerProcess::is_dead() const {
   if (death == Death::signal && c.death_number == SIGXCPU && !processor_limit().empty())
     note_shortage("a worker " + how_it_ended() + ": " + processor_limit());
   return death != Death::none;
+}
+
+void WorkerProcess::refuse_other_build() const {
+  const char* words = static_cast<const char*>(kept_.memory().data()) + kept_.memory().size() - refusal_size;
+  const std::string other(words, strnlen(words, refusal_size));
+  if (control().end() != Death::lost || other.empty() || build_.empty()) return;
+  throw std::system_error(
+      std::make_error_code(std::errc::wrong_protocol_type),
+      "'" + worker_program() + "' is assay " + other.substr(0, 200) + ", and the library is " + build_);
+}
+
+bool WorkerProcess::is_over() const {
+  const bool over = kept_.is_over();
+  if (over) refuse_other_build();
+  return over;
 }
 
 bool WorkerProcess::call(std::uint32_t operation) {
@@ -91,7 +146,10 @@ bool WorkerProcess::wait() {
   if (look > 0) habit_.note(changes_within(c.reply, wanted - 1, look));
   for (;;) {
     const std::uint32_t seen = c.reply.load();
-    if (is_dead()) return false;
+    if (is_dead()) {
+      refuse_other_build();
+      return false;
+    }
     if (seen == wanted) return true;
     sleep_while(c.reply, seen, c.host_sleeps, look_ms);
     if (c.reply.load() == seen) kept_.is_over();

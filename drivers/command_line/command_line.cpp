@@ -247,7 +247,7 @@ int complain(int status, const std::string& line) {
 }  // namespace
 
 int command_line(int argc, const char* const* argv) noexcept {
-  if (is_worker(argc, argv)) return worker();
+  if (is_worker(argc, argv)) return worker(argv[2]);
   const std::string processor_time = adapters::processor_limit();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of write()
   try {

@@ -12,6 +12,6 @@ int command_line(int argc, const char* const* argv) noexcept;
 bool is_worker(int argc, const char* const* argv);
 
 /// The whole life of one. Returns the exit status.
-int worker() noexcept;
+int worker(const char* build_of_host) noexcept;
 
 }  // namespace assay::drivers

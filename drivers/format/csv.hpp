@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Separated values under a header line: numbers are written and strictly read, texts are written. Tables as people
-// export them are read line by line and field by field, by one splitter.
+// Separated values under a header line: numbers are written and strictly read, texts are written.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "drivers/system/input_error.hpp"
+#include "drivers/format/csv_lines.hpp"
+#include "drivers/format/number_rows.hpp"
 
 namespace assay::drivers {
 
@@ -23,6 +24,8 @@ class CsvText {
   void row(std::span<const double> values);
   void row(const std::vector<std::string>& fields);
   const std::string& text() const { return text_; }
+  /// What has grown since it was last taken.
+  std::string take() { return std::exchange(text_, {}); }
 
  private:
   std::size_t width_;
@@ -31,6 +34,36 @@ class CsvText {
 
 /// A number as the shortest text that reads back the same; empty where there is none, or it is not finite.
 std::string csv_number(const std::optional<double>& value);
+
+/// The same at the end of a text.
+void append_csv_number(std::string& text, double value);
+
+/// Reads lines: the first one names the columns in any order, each later one holds one finite number a column, with a
+/// decimal point or, in all of the file, a decimal comma (in quotes where commas separate). Throws InputError with line
+/// and column for a missing, unknown or repeated name, a wrong number of fields, what is no finite number, and a file
+/// without rows.
+class CsvRows final : public NumberRows {
+ public:
+  CsvRows(CsvLines lines, const std::vector<std::string>& required, const std::vector<std::string>& optional);
+
+  bool next(std::vector<double>& row) override;
+  double share() const override { return lines_.share(); }
+  int line() const override { return lines_.line(); }
+
+ private:
+  [[noreturn]] void fail(int column, const std::string& what, const std::string& known = {}) const;
+  [[noreturn]] void refuse_column(const CsvField& field) const;
+  std::string separated() const;  ///< ", separated by a semicolon"
+  void header(std::vector<CsvField> fields);
+  bool plain_row(std::string_view line, std::vector<double>& row);
+  void slow_row(std::vector<CsvField> fields, std::vector<double>& row);
+  double number(const CsvField& field, const std::string& name);
+
+  CsvLines lines_;
+  std::vector<std::string> required_, known_;
+  bool ends_with_separator_ = false;  ///< the header's line
+  bool has_rows_ = false, seen_comma_ = false, seen_point_ = false;
+};
 
 struct CsvTable {
   std::string file;
@@ -43,46 +76,11 @@ struct CsvTable {
   const std::vector<double>* column(std::string_view name) const;
 };
 
-/// Reads text (`file` is its name in messages), split as CsvLines has it: the first line names the columns in any
-/// order, each later one holds one finite number a column, with a decimal point or, in all of the file, a decimal comma
-/// (in quotes where commas separate). Throws InputError with line and column for a missing, unknown or repeated name, a
-/// wrong number of fields, what is no finite number, and a file without rows.
+/// All rows of a text, as CsvRows reads them. file: its name in messages.
 CsvTable read_csv(std::string_view text, const std::string& file, const std::vector<std::string>& required,
                   const std::vector<std::string>& optional = {});
 
 /// The bytes of a file; InputError where it cannot be read.
 std::string read_input_file(const std::string& file);
-
-struct CsvField {
-  std::string text;  ///< without blanks around it, its quotes, and the apostrophe before what looks like a formula
-  int column = 1;    ///< of its first character, from 1
-  bool quoted = false;
-};
-
-/// Lines that are neither empty nor a remark (#), LF, CRLF or CR, after a byte order mark. The first one decides what
-/// separates fields: a semicolon where it holds one, else a tab, else a comma; "sep=;" before it, as Excel writes it,
-/// decides too. Fields may stand in double quotes, with line breaks, and a doubled quote is one (RFC 4180).
-class CsvLines {
- public:
-  /// Both outlive the reader; `file` is the name in messages.
-  CsvLines(std::string_view text, const std::string& file);
-
-  /// The fields of the next line, nothing at the end. Throws InputError: a quote that is not closed, text behind one,
-  /// UTF-16.
-  std::optional<std::vector<CsvField>> next();
-  int line() const { return line_; }  ///< of what next() gave, from 1
-  char separator() const { return separator_; }
-  /// "a comma".
-  std::string separator_name() const;
-
- private:
-  std::vector<CsvField> split(std::string_view line) const;
-  CsvField field(std::string_view line, std::size_t& at) const;
-
-  std::string_view rest_;
-  const std::string& file_;
-  int line_ = 0, broken_ = 0;  ///< breaks within the fields of the line
-  char separator_ = 0;
-};
 
 }  // namespace assay::drivers

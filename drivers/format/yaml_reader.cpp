@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "drivers/format/yaml_lines.hpp"
+#include "drivers/format/yaml_values.hpp"
 #include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {
@@ -207,9 +208,14 @@ class Builder : public YAML::EventHandler {
                                 : "a key must be a word");
     }
     if (!map.seen.insert(tree.text).second) {
-      throw InputError(
-          tree.where, shown(tree.text, 80),
-          tree.text == merge_key ? "duplicate key: several maps are merged by <<: [*a, *b]" : "duplicate key");
+      std::string path;
+      for (const Frame& each : stack_) {
+        path = each.tree.kind == Tree::Kind::sequence ? item_path(path, each.tree.items.size())
+                                                      : key_path(path, shown(&each == &map ? tree.text : each.key, 80));
+      }
+      const bool merges = tree.text == merge_key;
+      throw InputError(tree.where, path,
+                       merges ? "duplicate key: several maps are merged by <<: [*a, *b]" : "duplicate key");
     }
     map.merges = tree.text == merge_key && !tree.quoted;
     map.key = tree.text;

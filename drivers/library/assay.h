@@ -14,7 +14,10 @@
  * times in any order: the answer is a function of the arguments alone, to the last bit. Closing a handle is the last
  * call on it, and null may be closed. Points, cells and meshes keep their problem alive.
  *
- * The library prints nothing, changes no signal, locale or folder, and never ends the process.
+ * The library prints nothing, changes no signal, locale or folder, and never ends the process. It computes by the
+ * default rules of floating-point numbers whatever those of the caller are, which stay. A material that is a UMAT, a
+ * VUMAT or of MFront runs in processes of the program assay: the one that the library was installed or built with, else
+ * $ASSAY_PROGRAM, else that of $PATH. A plug-in runs inside the host unless the scene says material.isolation: worker.
  * Link: cc code.c $(pkg-config --cflags --libs assay), or target assay::assay of find_package(assay). */
 #ifndef ASSAY_H
 #define ASSAY_H
@@ -29,20 +32,16 @@ extern "C" {
 #define ASSAY_API_MAJOR 1
 #define ASSAY_API_MINOR 0
 
-#if defined(_WIN32)
-#define ASSAY_API __declspec(dllimport)
-#else
 #define ASSAY_API __attribute__((visibility("default")))
-#endif
 
 /* What a call returns. The first four are the exit codes of the program. */
 enum {
   ASSAY_DONE = 0,
-  ASSAY_FINDING = 1,    /* the material failed, or the motion is refused for it */
+  ASSAY_FINDING = 1,    /* the material failed */
   ASSAY_BAD_INPUT = 2,  /* a scene, an argument */
   ASSAY_SYSTEM = 3,     /* memory, files, processes */
   ASSAY_BEYOND_END = 4, /* a time after assay_options.end, to which the response is tabulated */
-  ASSAY_OUTSIDE = 5     /* some points lie where the motion is not defined: status tells which, the rest is filled */
+  ASSAY_OUTSIDE = 5     /* some points lie where the motion is not defined: their numbers are NaN, the rest is there */
 };
 
 /* Structs begin with their size, which ASSAY_..._INIT sets: later headers append members. A library that is older than
@@ -52,7 +51,7 @@ typedef struct assay_error {
   uint32_t struct_size;
   int32_t code;
   int32_t line, column; /* in file, from 1; 0: unknown */
-  int64_t point;        /* number of the point, from 0; -1: none */
+  int64_t point;        /* number of the point, cell, node or element, from 0; -1: none */
   char file[256];       /* cut at its beginning where it is longer */
   char key[128];        /* of the scene, "motion.peak"; or the argument, "points.X" */
   char message[512];    /* one line, with all of the above */
@@ -76,7 +75,8 @@ typedef struct assay_points assay_points;
 typedef struct assay_cells assay_cells;
 typedef struct assay_mesh assay_mesh;
 
-/* Makes a problem: reads the scene, finds or compiles the material, tabulates its response. */
+/* Makes a problem: reads the scene, finds or compiles the material, tabulates its response. A motion that is not stable
+ * for the material is a warning. */
 ASSAY_API int assay_open(const assay_options *options, assay_problem **problem, assay_error *error);
 ASSAY_API void assay_close(assay_problem *problem);
 
@@ -130,7 +130,10 @@ typedef struct assay_view {
   assay_field b_static; /* without the inertia: -DIV(P)/rho0 [m/s^2] */
 } assay_view;
 /* With struct_size; all else null. */
-#define ASSAY_VIEW_INIT {sizeof(assay_view), 0, NULL, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}
+#define ASSAY_NO_FIELD {NULL, 0, 0}
+#define ASSAY_VIEW_INIT                                                                                          \
+  {sizeof(assay_view), 0, NULL, ASSAY_NO_FIELD, ASSAY_NO_FIELD, ASSAY_NO_FIELD, ASSAY_NO_FIELD, ASSAY_NO_FIELD,  \
+   ASSAY_NO_FIELD, ASSAY_NO_FIELD, ASSAY_NO_FIELD}
 
 /* n reference points X, which are copied. With components == 3 in the plane the third is ignored.
  * components: 2 or 3, that X has. */
@@ -139,7 +142,8 @@ ASSAY_API int assay_points_open(const assay_problem *problem, size_t n, int comp
 ASSAY_API void assay_points_close(assay_points *points);
 
 /* The fields of points first .. first + count - 1 at time t; data of a view is that of point `first`. Threads and ranks
- * may share one set. */
+ * may share one set. A time that is beyond the end by rounding, 1e-9 of it, is the end. Where the response is a
+ * formula, time goes on beyond the end. */
 ASSAY_API int assay_eval(const assay_points *points, double t, size_t first, size_t count, const assay_view *out,
                          assay_error *error);
 
@@ -172,6 +176,7 @@ typedef struct assay_mesh_options {
   int32_t gauss;               /* points along each direction; 0: as many as the element needs */
   int32_t quasi_static;        /* not 0: without inertia */
 } assay_mesh_options;
+#define ASSAY_MESH_OPTIONS_INIT {sizeof(assay_mesh_options), 0, 0, 0, NULL, NULL, 0, 0}
 ASSAY_API int assay_mesh_open(const assay_problem *problem, const assay_mesh_options *mesh, assay_mesh **handle,
                               assay_error *error);
 ASSAY_API void assay_mesh_close(assay_mesh *mesh);
@@ -179,7 +184,7 @@ ASSAY_API int assay_nodal_loads(const assay_mesh *mesh, double t, const assay_fi
 
 /* For codes that know current positions alone: X of n points that are at x at time t, by the inverse of the exact
  * motion, and the fields there. A particle that has left its exact path gets the force of another one: results of such
- * codes are to be marked. X: may have null data. */
+ * codes are to be marked. X: null, or with null data, where it is not wanted. */
 ASSAY_API int assay_at_current(const assay_problem *problem, double t, size_t n, int components,
                                const assay_const_field *x, const assay_field *X, const assay_view *out,
                                assay_error *error);

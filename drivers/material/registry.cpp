@@ -15,6 +15,7 @@
 #include "drivers/material/fortran_compiler.hpp"
 #include "drivers/material/fortran_text.hpp"
 #include "drivers/material/source_description.hpp"
+#include "drivers/result/result.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
@@ -129,25 +130,9 @@ InputError complaint(const MaterialDescription& description, std::string key, co
                     error.known());
 }
 
-const assay_material* table_here(const MaterialDescription& description) {
-  try {
-    if (!description.foreign) adapters::try_library(description.library);
-    supervise(description.library);
-    return local_table(description);
-  } catch (const std::system_error& error) {
-    constexpr std::size_t open_files = 20;  // that the trial takes
-    if (error.code() == std::errc::too_many_files_open) require_open_files(open_files);
-    require_temporary_folder();
-    throw SystemError(std::string("a library cannot be tried: ") + error.what());
-  } catch (const adapters::LibraryError& error) {
-    throw complaint(description, description.name.empty() || description.foreign ? "library" : "name", error);
-  } catch (const adapters::ModelRefused& error) {
-    throw complaint(description, error.key(), error);
-  }
-}
-
 const assay_material* table_in_worker(const MaterialDescription& description, const std::string& file) {
   adapters::WorkerStart start;
+  start.build = build_text();
   start.limits = description.limits;
   start.task = std::string(model_task) + "\n" + one_line(file) + "\n" + description_yaml(description);
   constexpr std::size_t longest = adapters::task_size / 2;  // a run puts its parameters before it
@@ -163,6 +148,29 @@ const assay_material* table_in_worker(const MaterialDescription& description, co
     throw complaint(description, error.key(), error);
   } catch (const std::system_error& error) {
     throw SystemError(std::string("a worker cannot be started: ") + error.what());
+  }
+}
+
+/// Loads it in another process first: in a copy of this one, but in a worker where this one is not ours to copy.
+void try_library(const MaterialDescription& description, const std::string& file) {
+  if (adapters::own_library().empty()) return adapters::try_library(description.library);
+  adapters::forget_remote_table(table_in_worker(description, file));
+}
+
+const assay_material* table_here(const MaterialDescription& description, const std::string& file) {
+  try {
+    if (!description.foreign) try_library(description, file);
+    supervise(description.library);
+    return local_table(description);
+  } catch (const std::system_error& error) {
+    constexpr std::size_t open_files = 20;  // that the trial takes
+    if (error.code() == std::errc::too_many_files_open) require_open_files(open_files);
+    require_temporary_folder();
+    throw SystemError(std::string("a library cannot be tried: ") + error.what());
+  } catch (const adapters::LibraryError& error) {
+    throw complaint(description, description.name.empty() || description.foreign ? "library" : "name", error);
+  } catch (const adapters::ModelRefused& error) {
+    throw complaint(description, error.key(), error);
   }
 }
 
@@ -228,7 +236,7 @@ MaterialSource source_of(const MaterialDescription& description, const std::stri
   const bool own_process = description.foreign || !description.files.empty();
   const bool apart = isolation == Isolation::worker || (isolation == Isolation::automatic && own_process);
   source.isolation = apart ? Isolation::worker : Isolation::none;
-  source.table = apart ? table_in_worker(description, file) : table_here(description);
+  source.table = apart ? table_in_worker(description, file) : table_here(description, file);
   return source;
 }
 

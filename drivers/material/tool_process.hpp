@@ -21,8 +21,12 @@ struct ToolEnd {
   std::string said;      ///< on standard output and error, at most a megabyte; messages are in English
 };
 
-/// Waits for it. Throws SystemError where it cannot be started, and Interrupted when a signal came: then it has been
-/// ended, with all that it has started.
+/// What a worker does that becomes a tool: the word of its task, and the rest of it.
+inline constexpr const char* tool_task = "tool";
+[[noreturn]] void serve_tool(const std::string& task);
+
+/// In a worker. Waits for it. Throws SystemError where it cannot be started, and Interrupted when a signal came: then
+/// it has been ended, with all that it has started.
 ToolEnd run_tool(const ToolCall& call);
 
 /// The file of that name in a folder of $PATH that this process may execute; empty: there is none.

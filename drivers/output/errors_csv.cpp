@@ -2,6 +2,7 @@
 #include "drivers/output/errors_csv.hpp"
 
 #include "drivers/format/csv.hpp"
+#include "drivers/system/input_error.hpp"
 #include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {

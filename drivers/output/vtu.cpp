@@ -3,6 +3,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <new>
@@ -38,6 +39,15 @@ void append_number(std::string& out, std::uint64_t number) {
   out.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
+constexpr const char* file_tail = "\n</AppendedData>\n</VTKFile>\n";
+
+std::string array_line(const std::string& name, const char* type, int components, const std::string& more,
+                       std::uint64_t offset) {
+  return "<DataArray type=\"" + std::string(type) + "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" +
+         std::to_string(components) + "\"" + more + " format=\"appended\" offset=\"" + std::to_string(offset) +
+         "\"/>\n";
+}
+
 /// The XML above and the appended block below grow together.
 class Writer {
  public:
@@ -46,16 +56,14 @@ class Writer {
   template <typename Value>
   void array(const std::string& name, const char* type, int components, std::span<const Value> values,
              const std::string& more = {}) {
-    line("<DataArray type=\"" + std::string(type) + "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" +
-         std::to_string(components) + "\"" + more + " format=\"appended\" offset=\"" + std::to_string(data_.size()) +
-         "\"/>");
+    xml_ += array_line(name, type, components, more, data_.size());
     append_compressed(data_, {reinterpret_cast<const char*>(values.data()), values.size_bytes()});
   }
 
   std::string finish() && {
     xml_ += "<AppendedData encoding=\"raw\">\n_";
     xml_ += data_;
-    xml_ += "\n</AppendedData>\n</VTKFile>\n";
+    xml_ += file_tail;
     return std::move(xml_);
   }
 
@@ -142,6 +150,62 @@ std::string vtu_text(std::span<const double> positions, const std::vector<VtuArr
   out.line("</Piece>");
   out.line("</UnstructuredGrid>");
   return std::move(out).finish();
+}
+
+VtuLayout::VtuLayout(std::uint64_t particles, const std::vector<Part>& parts, double t) : particles_(particles), t_(t) {
+  std::uint64_t bytes = 0;  // of what is appended
+  std::vector<std::uint64_t> offsets;
+  const auto array = [&](const std::string& type, const std::string& name, int components, std::uint64_t size,
+                         const std::string& more) {
+    head_ += array_line(name, type.c_str(), components, more, bytes);
+    offsets.push_back(bytes);
+    lengths_.push_back({size, 0});
+    bytes += sizeof(std::uint64_t) + size;
+  };
+  const auto doubles = [&](const std::string& name, int components) {
+    array("Float64", name, components, particles * static_cast<std::uint64_t>(components) * sizeof(double),
+          component_names(components));
+  };
+  const std::string count = std::to_string(particles);
+  head_ = file_head("UnstructuredGrid") + "\n<UnstructuredGrid>\n<FieldData>\n";
+  array("Float64", "TimeValue", 1, sizeof(double), " NumberOfTuples=\"1\"");
+  head_ += "</FieldData>\n<Piece NumberOfPoints=\"" + count + "\" NumberOfCells=\"" + count + "\">\n<PointData>\n";
+  for (const Part& part : parts) doubles(part.name, part.components);
+  head_ += "</PointData>\n<Points>\n";
+  doubles("Points", 3);
+  head_ += "</Points>\n<Cells>\n";
+  array("Int64", "connectivity", 1, particles * sizeof(std::int64_t), "");
+  array("Int64", "offsets", 1, particles * sizeof(std::int64_t), "");
+  array("UInt8", "types", 1, particles, "");
+  head_ += "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+  for (std::size_t k = 0; k < offsets.size(); ++k) {
+    lengths_[k].second = head_.size() + offsets[k];
+    const std::uint64_t begin = lengths_[k].second + sizeof(std::uint64_t);
+    if (k == 0) time_ = begin;
+    if (k >= 1 && k <= parts.size() + 1) begins_.push_back(begin);
+    if (k == parts.size() + 2) cells_ = begin;
+  }
+}
+
+void VtuLayout::write_rest(const std::function<void(std::uint64_t, std::string_view)>& write) const {
+  constexpr std::uint64_t at_once = 1 << 16;
+  const auto raw = [](const auto* values, std::size_t count) {
+    return std::string_view(reinterpret_cast<const char*>(values), count * sizeof *values);
+  };
+  write(0, head_);
+  for (const auto& [size, at] : lengths_) write(at, raw(&size, 1));
+  write(time_, raw(&t_, 1));
+  const std::uint64_t offsets = cells_ + particles_ * sizeof(std::int64_t) + sizeof(std::uint64_t);
+  const std::uint64_t types = offsets + particles_ * sizeof(std::int64_t) + sizeof(std::uint64_t);
+  for (std::uint64_t from = 0; from < particles_; from += at_once) {
+    const std::uint64_t n = std::min(at_once, particles_ - from);
+    std::vector<std::int64_t> numbers(n + 1);
+    std::iota(numbers.begin(), numbers.end(), static_cast<std::int64_t>(from));
+    write(cells_ + from * sizeof(std::int64_t), raw(numbers.data(), n));
+    write(offsets + from * sizeof(std::int64_t), raw(numbers.data() + 1, n));
+    write(types + from, std::string(n, '\1'));  // VTK_VERTEX
+  }
+  write(types + particles_, file_tail);
 }
 
 std::string pvd_text(const std::vector<PvdEntry>& entries) {

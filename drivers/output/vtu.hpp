@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -32,6 +34,31 @@ struct VtuArray {
 /// holds x,y,z of each particle [m], `t` becomes TimeValue [s]. Equal input gives equal bytes with the same version of
 /// zlib. Throws std::invalid_argument where a length does not fit.
 std::string vtu_text(std::span<const double> positions, const std::vector<VtuArray>& arrays, double t);
+
+/// The same file without compression, so that each number has its place before any of them is known: particles may
+/// come in any order and number at a time.
+class VtuLayout {
+ public:
+  struct Part {
+    std::string name;
+    int components = 1;
+  };
+  VtuLayout(std::uint64_t particles, const std::vector<Part>& parts, double t);
+
+  /// Where the numbers of a part begin, one particle behind the other; behind the last part: the positions.
+  std::uint64_t begin(std::size_t part) const { return begins_[part]; }
+
+  /// Calls write(place, bytes) for all else: the text before and behind, and the cells.
+  void write_rest(const std::function<void(std::uint64_t, std::string_view)>& write) const;
+
+ private:
+  std::uint64_t particles_;
+  double t_;
+  std::string head_;
+  std::vector<std::uint64_t> begins_;
+  std::uint64_t time_ = 0, cells_ = 0;                            ///< where these begin
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> lengths_;  ///< of each array [bytes], and where it is written
+};
 
 struct PvdEntry {
   double t = 0;      ///< [s]

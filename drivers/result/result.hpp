@@ -54,6 +54,9 @@ struct Provenance {
 /// checkout), compiler, its flags, versions of the libraries; `scene_sha256` is left empty. Never fails.
 Provenance build_information();
 
+/// Version and sources of this binary, "0.2.0 v0.2.0-12-g0123456": what works together is alike in it.
+std::string build_text();
+
 struct Result {
   std::string title;
   std::string subject;  ///< what was run, one line: material, method, grid, amplitude

@@ -83,9 +83,11 @@ struct ForceChoice {
   Response response = Response::sheet;
   Evaluation evaluation = Evaluation::domain_average;
   mpm::Inertia inertia = mpm::Inertia::grid;
+  bool quasi_static = false;
   int radii = 400;
   bool cache = true;
   double tolerance = 1e-8;
+  static constexpr double coarsest_tolerance = 1e-2;
 
   void keys(auto& key) {
     key("response", "source of the stress tau on the baseline path; none: no body force", response);
@@ -93,11 +95,13 @@ struct ForceChoice {
         evaluation);
     key("inertia", "grid: all of b acts through the grid; particles: they receive its part a (uses the exact solution)",
         inertia);
+    key("quasi_static", "b without the acceleration, as eval gives it to codes without inertia; no run is that",
+        quasi_static);
     key("radii", "number of histories that response: shadow steps during the run", radii,
         {.range = {.lower = 4, .upper = 1e6, .whole = true}});
     key("cache", "keep the sheet on disk and reuse it in later runs", cache);
     key("tolerance", "requested relative error of the sheet", tolerance,
-        {.range = {.lower = 1e-14, .upper = 1e-2}, .derived = "1e-8; 1e-5 for a UMAT, VUMAT or MFront model"});
+        {.range = {.lower = 1e-14, .upper = coarsest_tolerance}, .derived = "1e-8; 1e-5 for a UMAT, VUMAT or MFront model"});
   }
 };
 

@@ -35,7 +35,7 @@ void refuse_other_joints(const std::string& path) {
   std::string meant;
   for (const char c : path) {
     if (std::string_view(joints).find(c) == std::string_view::npos)
-      meant += c == ' ' ? "" : std::string(1, c);
+      meant += c == ' ' || (c == '.' && meant.ends_with('.')) ? "" : std::string(1, c);
     else if (!meant.empty() && meant.back() != '.')
       meant += '.';
   }

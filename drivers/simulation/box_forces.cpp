@@ -53,7 +53,7 @@ void require_boxes(const Motion& motion, const std::vector<ReferencePoint>& poin
 }
 
 std::vector<BoxForce> box_forces(const ExactSolution& exact, double density, const std::vector<ReferencePoint>& points,
-                                 bool in_space) {
+                                 bool in_space, bool quasi_static) {
   constexpr std::size_t at_once = 50'000;  // parts of boxes
   std::map<double, std::vector<std::size_t>> by_time;
   for (std::size_t i = 0; i < points.size(); ++i) by_time[points[i].t].push_back(i);
@@ -63,7 +63,7 @@ std::vector<BoxForce> box_forces(const ExactSolution& exact, double density, con
     std::vector<std::array<Vector3, 8>> boxes;
     std::vector<std::size_t> owners;
     const auto add_up = [&] {
-      const HexahedronAverage average(Hexahedra(boxes), density);
+      const HexahedronAverage average(Hexahedra(boxes), density, {.quasi_static = quasi_static});
       const auto forces = average.at(*slice);
       for (std::size_t k = 0; k < owners.size(); ++k) {
         BoxForce& whole = found[owners[k]];

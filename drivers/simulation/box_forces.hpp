@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/output/points_csv.hpp"
+#include "drivers/output/point_reader.hpp"
 #include "harness/exact/hexahedra.hpp"
 
 namespace assay::drivers {
@@ -21,8 +21,8 @@ void require_boxes(const Motion& motion, const std::vector<ReferencePoint>& poin
                    const std::string& file);
 
 /// Of points that all have a box, in their order. A box that is not small against the motion is divided. density: rho0
-/// [kg/m^3].
+/// [kg/m^3]; quasi_static: without inertia.
 std::vector<BoxForce> box_forces(const ExactSolution& exact, double density, const std::vector<ReferencePoint>& points,
-                                 bool in_space);
+                                 bool in_space, bool quasi_static = false);
 
 }  // namespace assay::drivers

@@ -74,10 +74,10 @@ ExactSolutionPtr solution_of_places(const Scene& scene, const std::shared_ptr<co
 /// For single points at any times, each as exact as it can be. The unit box has histories around each point. A motion
 /// whose F is the same everywhere has one on its own path, xi = own_parameter(), unless a closed form is asked for.
 ExactSolutionPtr exact_solution_at_points(const Scene& scene, const std::shared_ptr<const Material>& material,
-                                          double end, bool quiet) {
+                                          double end, const ResponseMaking& how) {
   const Path path = baseline_path(scene);
   const double density = scene.material.density;
-  if (auto found = solution_of_places(scene, material, path, end, {.quiet = quiet})) return found;
+  if (auto found = solution_of_places(scene, material, path, end, how)) return found;
   if (scene.force.response == ForceChoice::Response::closed_form) {
     const auto P = [form = response_of(scene, material, path, end), xi = scene.motion->own_parameter()](double t) {
       Tensor tau, slope;
@@ -91,6 +91,12 @@ ExactSolutionPtr exact_solution_at_points(const Scene& scene, const std::shared_
   }
   constexpr double of_step = 1e-13;
   return exact_uniform(scene.motion, density, material, path, end, of_step);
+}
+
+/// Of a point that the scene's frame sees [m].
+double radius_of(const Scene& scene, const Vector3& seen) {
+  const Vector3 X = scene.frame ? scene.frame->body_point(seen) : seen;
+  return std::hypot(X.x(), X.y());
 }
 
 }  // namespace
@@ -118,27 +124,28 @@ ExactSolutionPtr exact_solution_of(const Scene& scene, const std::shared_ptr<con
                        std::max(1e-13, of_step * scene.force.tolerance));
 }
 
-void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>& points, const std::string& file) {
+bool is_within_motion(const Scene& scene, const Vector3& X) {
   constexpr double edge_rounding = 1e-9;  // of a radius: points on the ring's edges are in the ring
+  const auto ring = ring_of(scene.motion);
+  if (!ring || is_vortex(scene.motion)) return true;
+  const double R = radius_of(scene, X);
+  return R >= ring->inner * (1 - edge_rounding) && R <= ring->outer * (1 + edge_rounding);
+}
+
+void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>& points, const std::string& file) {
   if (const auto ring = ring_of(scene.motion); ring && !is_vortex(scene.motion)) {
     for (const ReferencePoint& point : points) {
-      const auto radius = [&](double x, double y, double z) {  // of a corner of its box
-        const Vector3 seen(point.X + x * point.HX, point.Y + y * point.HY, point.Z + z * point.HZ);
-        const Vector3 X = scene.frame ? scene.frame->body_point(seen) : seen;
-        return std::hypot(X.x(), X.y());
-      };
+      const Vector3 middle(point.X, point.Y, point.Z), half(point.HX, point.HY, point.HZ);
       bool inside = true;
       for (const double x : {-1, 1}) {
         for (const double y : {-1, 1}) {
-          for (const double z : {-1, 1}) {
-            const double R = radius(x, y, z);
-            inside &= R >= ring->inner * (1 - edge_rounding) && R <= ring->outer * (1 + edge_rounding);
-          }
+          for (const double z : {-1, 1})  // a corner of its box
+            inside &= is_within_motion(scene, middle + half.cwiseProduct(Vector3(x, y, z)));
         }
       }
       if (inside) continue;
       throw InputError({file, point.line, 1}, "X",
-                       "the point is at the radius " + rounded_text(radius(0, 0, 0), 6) +
+                       "the point is at the radius " + rounded_text(radius_of(scene, middle), 6) +
                            (point.HX > 0 ? ", and its box reaches out" : ", outside") + " of the ring between " +
                            rounded_text(ring->inner, 6) + " and " + rounded_text(ring->outer, 6));
     }
@@ -152,27 +159,27 @@ void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>
 }
 
 ExactSolutionPtr exact_solution_of_points(const Scene& scene, const std::shared_ptr<const Material>& material,
-                                          double end, bool quiet) {
-  return as_seen(scene, exact_solution_at_points(scene, material, end, quiet));
+                                          double end, bool quiet, int threads) {
+  return as_seen(scene, exact_solution_at_points(scene, material, end, {.threads = threads, .quiet = quiet}));
 }
 
-std::vector<ExactPoint> exact_points(const ExactSolution& exact, const std::vector<ReferencePoint>& points,
-                                     bool quiet) {
-  std::vector<PlaceAndTime> places;
-  for (const ReferencePoint& point : points) places.push_back({{point.X, point.Y, point.Z}, point.t});
-  Progress progress("eval", quiet);
-  return exact.at(places, [&](double share, const char* of) {
-    stop_if_interrupted();
-    progress.update(share, of);
-  });
+ExactSolutionPtr motion_alone(const Scene& scene, const std::shared_ptr<const Material>& material) {
+  const double density = scene.material.density;
+  if (scene.motion->polar()) return as_seen(scene, exact_polar(scene.motion, density, nullptr));
+  if (const auto* vortex = scene.motion.as<Vortex3d>())
+    return as_seen(scene, exact_meridian(*vortex, density, nullptr));
+  if (const auto* box = scene.motion.as<AxisAligned>()) return as_seen(scene, exact_box(*box, density, material, {}));
+  return as_seen(scene, exact_uniform(scene.motion, density, [](double) -> Tensor { return Tensor::Zero(); }));
 }
 
 std::string long_sheet_sentence(double seconds, double tolerance) {
   constexpr double usual = 1e-10, coarser = 1e3;
-  const double other = std::max(tolerance, usual) * coarser;
+  const double other = std::min(std::max(tolerance, usual) * coarser, ForceChoice::coarsest_tolerance);
+  const std::string remedy = other > tolerance ? "force.tolerance: " + rounded_text(other, 2) + " in place of " +
+                                                     rounded_text(tolerance, 2) + ", or with a smaller time.end"
+                                               : "a smaller time.end";
   return "to tabulate this material's response may take up to " + duration_text(seconds) +
-         ", often a third of it or less; shorter with force.tolerance: " + rounded_text(other, 2) + " in place of " +
-         rounded_text(tolerance, 2) + ", or with a smaller time.end";
+         ", often a third of it or less; shorter with " + remedy;
 }
 
 SheetLine::SheetLine(double tolerance, bool quiet) : tolerance_(tolerance), quiet_(quiet), progress_("sheet", quiet) {}

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/output/points_csv.hpp"
+#include "drivers/output/point_reader.hpp"
 #include "drivers/scene/scene.hpp"
 #include "drivers/system/progress.hpp"
 #include "harness/exact/exact_fields.hpp"
@@ -36,18 +36,20 @@ ExactSolutionPtr exact_solution_of(const Scene& scene, const std::shared_ptr<con
 /// The solution in the scene's frame.
 ExactSolutionPtr as_seen(const Scene& scene, const ExactSolutionPtr& own);
 
+/// Whether the motion is defined at a reference point, as the scene's frame sees it: of a ring that widens in it alone.
+bool is_within_motion(const Scene& scene, const Vector3& X);
+
 /// Throws InputError where a point's time lies beyond the last row of motion.path, or the point outside a twisting
 /// ring.
 void require_within_motion(const Scene& scene, const std::vector<ReferencePoint>& points, const std::string& file);
 
-/// Motion, stress and body force at each point, in their order. Throws MaterialFailure, Interrupted.
-std::vector<ExactPoint> exact_points(const ExactSolution& exact, const std::vector<ReferencePoint>& points,
-                                     bool quiet = true);
-
 /// Of the scene's exact motion for single points at times 0 .. end, each as exact as it can be, as the scene's frame
 /// sees it. Throws InputError, MaterialFailure, Interrupted. quiet: no terminal shows how far it is.
 ExactSolutionPtr exact_solution_of_points(const Scene& scene, const std::shared_ptr<const Material>& material,
-                                          double end, bool quiet = true);
+                                          double end, bool quiet = true, int threads = 1);
+
+/// The same where no stress is asked for: nothing is tabulated.
+ExactSolutionPtr motion_alone(const Scene& scene, const std::shared_ptr<const Material>& material);
 
 // What a terminal shows while a sheet is made, and what is said before a long one.
 

@@ -41,6 +41,8 @@ void require_acceleration(const Scene& scene) {
 
 void require_runnable(const Scene& scene) {
   require_acceleration(scene);
+  if (scene.force.quasi_static)
+    refuse(scene, "force.quasi_static", "leaves the inertia out, which every run has: it serves eval, for other codes");
   if (!scene.method)
     refuse(scene, "method", "a scene without a method cannot be run: only tabulated, evaluated and checked");
   if (!scene.motion->is_plane()) {

@@ -75,12 +75,6 @@ double largest_of_motion(const Scene& scene, const auto& of) {
   return largest;
 }
 
-double fastest_of_motion(const Scene& scene) {
-  if (scene.body.initial_velocity) return fastest_of(*scene.body.initial_velocity, body_box(scene));
-  if (is_vortex(scene.motion)) return fastest_of_vortex(*scene.motion->polar(), scene.time.end);
-  return largest_of_motion(scene, [](const ExactState& state) { return state.v.norm(); });
-}
-
 /// What a frame adds to it: its spin at the farthest particle, and its velocity.
 double fastest_of_frame(const Frame& frame, const mpm::Seeds<2>& seeds) {
   double farthest = 0;
@@ -98,6 +92,16 @@ double steps_by_courant(const Problem& problem) {
   const double pieces = whole ? std::round(halves) : 1;
   return pieces * std::max(1.0, std::ceil(end / pieces / longest));
 }
+
+}  // namespace
+
+double fastest_of_motion(const Scene& scene) {
+  if (scene.body.initial_velocity) return fastest_of(*scene.body.initial_velocity, body_box(scene));
+  if (is_vortex(scene.motion)) return fastest_of_vortex(*scene.motion->polar(), scene.time.end);
+  return largest_of_motion(scene, [](const ExactState& state) { return state.v.norm(); });
+}
+
+namespace {
 
 /// By which particles are fastest.
 const char* key_of_speed(const Problem& problem) {

@@ -17,6 +17,9 @@ void find_speeds(Problem& problem);
 /// formulation, a wave across the reference configuration, where that is faster.
 double fastest_signal(const Problem& problem);
 
+/// The fastest of the exact motion, in the body's own frame, or of the initial velocity [m/s].
+double fastest_of_motion(const Scene& scene);
+
 /// By what factor a viscous pressure shortens the stable step, with waves of that speed [m/s] and volumes that shrink
 /// at that rate [1/s]: (Q + sqrt(Q^2 + c^2)) / c with Q = C1 c + C2 h |tr D|, of central differences that take the
 /// velocity of half a step before (Benson 1992, doi:10.1016/0045-7825(92)90042-I). 1 without viscosity.

@@ -80,7 +80,7 @@ void throw_system_error(const char* call) { throw SystemError(std::string(call) 
 InputError::InputError(const std::string& what) : std::runtime_error(line_of({}, {}, what, {})) {}
 
 InputError::InputError(const Location& where, const std::string& key, const std::string& what, const std::string& known)
-    : std::runtime_error(line_of(where, key, what, known)) {}
+    : std::runtime_error(line_of(where, key, what, known)), where_(where), key_(key) {}
 
 std::string one_line(std::string_view text, std::size_t limit) { return printable(cut(text, limit)); }
 

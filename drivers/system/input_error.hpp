@@ -28,6 +28,13 @@ class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& what);
   InputError(const Location& where, const std::string& key, const std::string& what, const std::string& known = {});
+
+  const Location& where() const { return where_; }
+  const std::string& key() const { return key_; }  ///< of the scene, "motion.peak"; empty: none
+
+ private:
+  Location where_;
+  std::string key_;
 };
 
 /// The system failed (unwritable folder, full disk): exit status 3.

@@ -13,7 +13,6 @@
 #include <optional>
 #include <set>
 #include <string_view>
-#include <tuple>
 
 #include "adapters/process/private_files.hpp"
 #include "drivers/system/input_error.hpp"
@@ -77,18 +76,17 @@ std::string bytes_of_stream(int number, const Location& where, std::size_t limit
   return read_before[number] = bytes_of(file, where, limit);
 }
 
-/// Of a file: time and size tell it from a later one of the same number.
-using FileKey = std::tuple<dev_t, ino_t, off_t, time_t, long>;
-FileKey key_of(const struct stat& status) {
-  return {status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+FileState state_of(const struct stat& status) {
+  return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,
+          status.st_mtim.tv_nsec};
 }
 
 std::mutex guard_of_inputs;
-std::set<FileKey> files_read;
+std::set<FileState> files_read;
 
 void note_input(const struct stat& status) {
   const std::lock_guard lock(guard_of_inputs);
-  if (S_ISREG(status.st_mode)) files_read.insert(key_of(status));
+  if (S_ISREG(status.st_mode)) files_read.insert(state_of(status));
 }
 
 }  // namespace
@@ -107,7 +105,7 @@ bool is_input(const std::string& file) {
   put_files_right();
   struct stat status {};
   const std::lock_guard lock(guard_of_inputs);
-  return ::stat(file.c_str(), &status) == 0 && files_read.contains(key_of(status));
+  return ::stat(file.c_str(), &status) == 0 && files_read.contains(state_of(status));
 }
 
 void refuse_input_as_output(const std::string& output, const std::string& option) {
@@ -115,24 +113,39 @@ void refuse_input_as_output(const std::string& output, const std::string& option
   throw InputError({}, option, "'" + shown(output, 200) + "' would replace an input of that name: choose another name");
 }
 
-std::string read_bytes(const std::string& file, std::size_t limit) {
+int open_input(const std::string& file, FileState* state) {
   const Location where{file, 0, 0};
   if (file.find('\0') != file.npos || file.empty())
     throw InputError({}, "", "'" + shown(file, 200) + "' is not the name of a file");
-  if (const auto stream = stream_of(file)) return bytes_of_stream(*stream, where, limit);
+  struct stat status {};
+  if (const auto stream = stream_of(file)) {
+    const int source = *stream == 0 ? user_input() : *stream;
+    const int copy = ::fstat(source, &status) == 0 ? adapters::high_copy(source) : -1;
+    if (copy < 0) throw InputError(where, "", because());
+    return copy;
+  }
   put_files_right();
   // Without O_NONBLOCK a pipe that nobody writes into is waited for.
-  const adapters::OpenFile opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-  if (opened.number() < 0) {
+  const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  if (opened < 0) {
     const std::string reason = because();
-    struct stat status {};
     const bool unfit = ::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
     throw InputError(where, "", unfit ? fault_of_mode(status.st_mode) : reason);
   }
-  struct stat status {};
-  if (::fstat(opened.number(), &status) != 0) throw InputError(where, "", because());
-  if (const std::string fault = fault_of_mode(status.st_mode); !fault.empty()) throw InputError(where, "", fault);
+  const std::string fault = ::fstat(opened, &status) != 0 ? because() : fault_of_mode(status.st_mode);
+  if (!fault.empty()) {
+    ::close(opened);
+    throw InputError(where, "", fault);
+  }
   note_input(status);
+  if (state) *state = state_of(status);
+  return opened;
+}
+
+std::string read_bytes(const std::string& file, std::size_t limit) {
+  const Location where{file, 0, 0};
+  if (const auto stream = stream_of(file)) return bytes_of_stream(*stream, where, limit);
+  const adapters::OpenFile opened(open_input(file));
   return bytes_of(opened.number(), where, limit);
 }
 

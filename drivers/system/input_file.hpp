@@ -2,7 +2,9 @@
 // The files that a user names, as bytes: the one place where they are opened.
 #pragma once
 
+#include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace assay::drivers {
@@ -17,6 +19,17 @@ inline constexpr std::size_t largest_text = std::size_t{1} << 20;
 /// a stream stays, so that a second look finds the same. Throws InputError where it is missing, a folder, a named pipe,
 /// a device, unreadable or longer than `limit`.
 std::string read_bytes(const std::string& file, std::size_t limit = largest_text);
+
+/// Of a file: time and size tell it from a later one of the same number.
+struct FileState {
+  std::uint64_t device = 0, number = 0, size = 0;
+  std::int64_t seconds = 0, nanoseconds = 0;  ///< of the last change
+  auto operator<=>(const FileState&) const = default;
+};
+
+/// The number of that file, open for reading; of a stream a copy. Throws InputError as read_bytes() does. state: of a
+/// regular file.
+int open_input(const std::string& file, FileState* state = nullptr);
 
 /// Remembers a file that others read: a library, what a compiler includes. read_bytes() remembers its own.
 void note_input(const std::string& file);

@@ -10,6 +10,7 @@
 #include <ctime>
 #include <string>
 
+#include "adapters/library.hpp"
 #include "adapters/process/shortage.hpp"
 #include "adapters/worker/worker_process.hpp"
 #include "drivers/system/exit_guard.hpp"
@@ -87,7 +88,8 @@ std::atomic<std::int64_t> deadline_ns{0};  ///< 0: none
 
 }  // namespace
 
-InterruptWatch::InterruptWatch() : mine_(std::ranges::none_of(stop_signals, is_ours)) {
+InterruptWatch::InterruptWatch()
+    : mine_(adapters::own_library().empty() && std::ranges::none_of(stop_signals, is_ours)) {
   if (mine_) watch_interrupts();
 }
 

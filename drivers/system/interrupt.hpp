@@ -12,7 +12,7 @@ namespace assay::drivers {
 void watch_interrupts();
 
 /// While one lives, as after watch_interrupts(); then as before. For what may take long before the scene is read. Where
-/// somebody watches already, it changes nothing.
+/// somebody watches already, and in a library, it changes nothing.
 class InterruptWatch {
  public:
   InterruptWatch();

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <link.h>
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -20,6 +21,7 @@ constexpr std::size_t largest_file = std::size_t{4} << 30;
 /// A file that is loaded, and its build id in hexadecimal digits; empty: it has none.
 struct Loaded {
   std::string file, build_id;
+  bool is_ours = false;  ///< this code is in it
 };
 
 /// The note NT_GNU_BUILD_ID among the notes of a segment: a header, a name, a description, each filled up to 4 bytes.
@@ -39,21 +41,21 @@ std::string build_id_in(const unsigned char* notes, std::size_t size) {
   return {};
 }
 
-bool is_mapped(const dl_phdr_info& info, const ElfW(Phdr) & segment) {
+/// Whether what begins there in the file's own addresses is loaded from it.
+bool is_mapped(const dl_phdr_info& info, ElfW(Addr) begin, std::size_t size) {
   for (int k = 0; k < info.dlpi_phnum; ++k) {
     const ElfW(Phdr)& all = info.dlpi_phdr[k];
-    if (all.p_type == PT_LOAD && segment.p_vaddr >= all.p_vaddr &&
-        segment.p_vaddr + segment.p_memsz <= all.p_vaddr + all.p_filesz)
-      return true;
+    if (all.p_type == PT_LOAD && begin >= all.p_vaddr && begin + size <= all.p_vaddr + all.p_filesz) return true;
   }
   return false;
 }
 
 int add(dl_phdr_info* info, std::size_t, void* list) {
   Loaded found{info->dlpi_name ? info->dlpi_name : "", {}};
+  found.is_ours = is_mapped(*info, reinterpret_cast<ElfW(Addr)>(&program_identity) - info->dlpi_addr, 1);
   for (int k = 0; k < info->dlpi_phnum && found.build_id.empty(); ++k) {
     const ElfW(Phdr)& segment = info->dlpi_phdr[k];
-    if (segment.p_type != PT_NOTE || !is_mapped(*info, segment)) continue;
+    if (segment.p_type != PT_NOTE || !is_mapped(*info, segment.p_vaddr, segment.p_memsz)) continue;
     const ElfW(Addr) address = info->dlpi_addr + segment.p_vaddr;  // the loader gives addresses as numbers
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
     const auto* notes = reinterpret_cast<const unsigned char*>(address);
@@ -77,7 +79,12 @@ std::string identity_of(const Loaded& code, const std::string& file) {
 }  // namespace
 
 const std::string& program_identity() {
-  static const std::string identity = identity_of(all_loaded().front(), "/proc/self/exe");
+  static const std::string identity = [] {
+    const std::vector<Loaded> all = all_loaded();
+    const auto ours = std::ranges::find_if(all, &Loaded::is_ours);
+    const bool in_library = ours != all.begin() && ours != all.end();
+    return in_library ? identity_of(*ours, ours->file) : identity_of(all.front(), "/proc/self/exe");
+  }();
   return identity;
 }
 

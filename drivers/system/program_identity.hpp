@@ -6,7 +6,8 @@
 
 namespace assay::drivers {
 
-/// Of the program: the build id that its linker wrote, a hash of all it holds; SHA-256 of the file where there is none.
+/// Of the program, or of the library that this code is in: the build id that its linker wrote, a hash of all it holds;
+/// SHA-256 of the file where there is none.
 /// Throws InputError where that cannot be read.
 const std::string& program_identity();
 

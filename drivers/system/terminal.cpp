@@ -17,9 +17,10 @@ namespace assay::drivers {
 namespace {
 
 bool lost = false;
+thread_local KeptWarnings* keeper_of_warnings = nullptr;
 
 /// Beside stdio: a model that prints wide characters lets no others through.
-void put(const std::string& text) {
+void put(std::string_view text) {
   put_streams_right();
   std::fflush(stdout);
   lost = !adapters::write_all(user_output(), text) || lost;
@@ -29,13 +30,19 @@ void put(const std::string& text) {
 
 void print(std::string_view lines) { put(without_commands(lines, "<U+", ">")); }
 
+void print_bytes(std::string_view bytes) { put(bytes); }
+
 void print_json(std::string_view json) { put(without_commands(json, "\\u", "")); }
 
 bool prints_to_terminal() { return ::isatty(user_output()) == 1; }
 
 bool all_is_printed() { return !lost; }
 
+KeptWarnings::KeptWarnings() { keeper_of_warnings = this; }
+KeptWarnings::~KeptWarnings() { keeper_of_warnings = nullptr; }
+
 void warn(std::string_view sentence) {
+  if (keeper_of_warnings) return keeper_of_warnings->sentences_.push_back(one_line(sentence));
   put_streams_right();
   std::fprintf(stderr, "warning: %s\n", one_line(sentence).c_str());
 }

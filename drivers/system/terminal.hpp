@@ -15,6 +15,9 @@ enum class Verbosity { quiet, normal, verbose };
 /// Lines for a reader, on standard output and flushed: what steers a terminal is written as "<U+001B>".
 void print(std::string_view lines);
 
+/// Numbers, as text or not: the bytes as they are.
+void print_bytes(std::string_view bytes);
+
 /// JSON: the same characters as \u001b, which leaves the data as they are.
 void print_json(std::string_view json);
 
@@ -26,6 +29,20 @@ bool all_is_printed();
 
 /// "warning: SENTENCE" on standard error, one line.
 void warn(std::string_view sentence);
+
+/// While one lives, what this thread warns of is kept in it and not printed. At most one a thread.
+class KeptWarnings {
+ public:
+  KeptWarnings();
+  KeptWarnings(const KeptWarnings&) = delete;
+  KeptWarnings& operator=(const KeptWarnings&) = delete;
+  ~KeptWarnings();
+  const std::vector<std::string>& sentences() const { return sentences_; }
+
+ private:
+  friend void warn(std::string_view sentence);
+  std::vector<std::string> sentences_;
+};
 
 /// One text that a verb tells, and where it goes.
 struct Page {

@@ -12,6 +12,7 @@
 
 #include "adapters/process/private_files.hpp"
 #include "drivers/system/interrupt.hpp"
+#include "drivers/system/output_bytes.hpp"
 #include "drivers/system/own_files.hpp"
 #include "drivers/system/terminal.hpp"
 #include "drivers/text/numbers.hpp"
@@ -22,18 +23,6 @@ namespace assay::drivers {
 namespace fs = std::filesystem;
 
 namespace {
-
-void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) {
-      stop_if_interrupted();
-      continue;
-    }
-    if (written < 0) fail(path, "cannot be written", errno);
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
 
 std::string host_name() {
   std::array<char, 256> name{};
@@ -52,8 +41,24 @@ void fail(const fs::path& path, const std::string& what, const std::error_code& 
   throw SystemError(path.string() + ": " + what + ": " + error.message());
 }
 
+void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) {
+      stop_if_interrupted();
+      continue;
+    }
+    if (written < 0) fail(path, "cannot be written", errno);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+bool is_standard_output(const fs::path& path) {
+  return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
 /// A pipe without a reader would let nobody in: after some seconds the error is ENXIO.
-int opened(const fs::path& path, int flags) {
+int open_output(const fs::path& path, int flags) {
   constexpr int patience_ms = 2000, step_ms = 20;
   int descriptor = -1;
   for (int waited = 0; waited <= patience_ms; waited += step_ms) {
@@ -63,15 +68,15 @@ int opened(const fs::path& path, int flags) {
     ::usleep(step_ms * 1000);
     errno = ENXIO;
   }
-  if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  if (descriptor < 0 && errno == ENXIO) throw SystemError(path.string() + ": is a pipe that nobody reads");
+  if (descriptor < 0) fail(path, "cannot be created", errno);
+  ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
   return descriptor;
 }
 
 void write_bytes(const fs::path& path, std::string_view bytes, int flags) {
   put_files_right();
-  adapters::OpenFile file(opened(path, flags));
-  if (file.number() < 0 && errno == ENXIO) throw SystemError(path.string() + ": is a pipe that nobody reads");
-  if (file.number() < 0) fail(path, "cannot be created", errno);
+  adapters::OpenFile file(open_output(path, flags));
   write_all(file.number(), bytes, path);
   // Pipes and terminals cannot be synced and say so.
   if (::fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS)
@@ -117,36 +122,11 @@ void rethrow_with(const SystemError& failure, const fs::path& hidden, const fs::
   throw SystemError(what);
 }
 
-/// Whether a path is another name of "-": the descriptor may be that of a model's prints, and what the user has opened
-/// is not replaced.
-bool is_standard_output(const fs::path& path) {
-  return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
-}
-
 void write_file(const fs::path& path, std::string_view bytes) {
   if (is_standard_output(path)) return print(bytes);
-  put_files_right();
-  std::error_code error;
-  const fs::file_status there = fs::status(path, error);
-  if (fs::exists(there) && !fs::is_regular_file(there)) return write_bytes(path, bytes, 0);
-  // Through a link the file is replaced, not the link.
-  const fs::path real = fs::exists(there) ? fs::canonical(path, error) : path;
-  sweep_dead(real.has_parent_path() ? real.parent_path() : fs::path("."));
-  const fs::path temporary = real.parent_path() / hidden_name();
-  try {
-    write_bytes(temporary, bytes, O_CREAT | O_EXCL);
-    if (fs::exists(there))
-      fs::permissions(temporary, there.permissions(), error);  // who could not read it still cannot
-    stop_if_interrupted();
-    fs::rename(temporary, real, error);
-    if (error) fail(path, "cannot be put in place", error);
-  } catch (const SystemError& failure) {
-    fs::remove(temporary, error);
-    rethrow_with(failure, temporary, path);
-  } catch (...) {
-    fs::remove(temporary, error);
-    throw;
-  }
+  OutputBytes out(path);
+  out.append(bytes);
+  out.commit();
 }
 
 }  // namespace assay::drivers

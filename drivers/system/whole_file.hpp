@@ -18,6 +18,16 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// Opens with these flags of open(), writes, syncs and closes, and believes none of them. Throws SystemError.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes, int flags);
 
+/// The number of a file or pipe, open for writing, with these flags of open() too. Throws SystemError.
+int open_output(const std::filesystem::path& path, int flags);
+
+/// Throws SystemError where not all of it could be written, and Interrupted. path: in messages.
+void write_all(int descriptor, std::string_view bytes, const std::filesystem::path& path);
+
+/// Whether a path is another name of "-": the descriptor may be that of a model's prints, and what the user has opened
+/// is not replaced.
+bool is_standard_output(const std::filesystem::path& path);
+
 /// Bytes of a file, or names of a folder, reach the disk, as far as it lets us.
 void sync_path(const std::filesystem::path& path);
 

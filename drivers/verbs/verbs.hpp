@@ -22,7 +22,11 @@ struct TabulateOptions : SceneOptions {
 int tabulate(const TabulateOptions& options);
 
 struct EvalOptions : SceneOptions {
-  std::string points;  ///< CSV of X,Y,t
+  std::string points;        ///< CSV or arrays of X,Y,t
+  std::string times = {};    ///< of all points, where they have no t: numbers, or a file; empty: none
+  std::string columns = {};  ///< that are wanted; empty: all
+  std::string format = {};   ///< csv, npy, npz or vtu; empty: as the suffix of `out` says
+  bool is_static = false;    ///< b is -DIV(P)/rho0, as with force.quasi_static
 };
 
 /// Writes the exact fields of a motion at the points into the file `out`. 1 where the material fails.

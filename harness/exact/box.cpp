@@ -7,65 +7,12 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "harness/exact/box_points.hpp"
 #include "harness/exact/box_stress.hpp"
-#include "harness/history/point_driver.hpp"
 
 namespace assay {
 
 namespace {
-
-constexpr double difference_step = 2e-3;     ///< of the cosines: the fourth power of it is rounding
-constexpr double history_tolerance = 1e-13;  ///< of a step
-constexpr std::array<double, 5> difference_places{-2, -1, 0, 1, 2};
-
-/// tau of one history at all times [Pa].
-std::vector<Tensor> history_of(const Material& material, const Path& path, double xi, std::span<const double> times) {
-  const Histories found = integrate_histories(material, path, std::array{xi}, times, {.tolerance = history_tolerance});
-  std::vector<Tensor> tau(times.size());
-  for (std::size_t k = 0; k < times.size(); ++k) tau[k] = tensor_of(found.tau[k].data());
-  return tau;
-}
-
-/// Of f at -2, -1, 1 and 2 steps.
-Tensor difference(const std::array<Tensor, 5>& f) {
-  return (f[0] - 8 * f[1] + 8 * f[3] - f[4]) / (12 * difference_step);
-}
-
-/// Stress and b = a - DIV(P)/rho0 at one point at ascending times > 0. The gradient of P is taken by differences of
-/// fourth order between the histories of neighbouring cos(pi X_i): some 10 digits, fewer where a front runs between
-/// them.
-std::vector<ExactStress> stress_of_point(const Material& material, const AxisAligned& motion, double density,
-                                         const Vector3& X, std::span<const double> times,
-                                         const std::array<double, 3>& material_direction) {
-  using std::numbers::pi;
-  const Vector3 factor = motion.s(), cosine = (pi * X).array().cos();
-  const auto tau_at = [&](const Vector3& of) {
-    Path path = motion.section(of.y(), of.z());
-    path.material_direction = material_direction;
-    path.parameter.lower = std::min(path.parameter.lower, of.x()), path.parameter.upper = std::max(1.0, of.x());
-    return history_of(material, path, of.x(), times);
-  };
-  const std::vector<Tensor> tau = tau_at(cosine);
-  std::vector<ExactStress> stress(times.size());
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    const ExactState state = motion.at(X, times[k]);
-    stress[k] = {tau[k], cauchy_stress(tau[k], state.F), state.a};
-  }
-  for (int d = 0; d < 3; ++d) {
-    const double slope = -pi * std::sin(pi * X(d));  // of the cosine [1/m]
-    if (factor(d) == 0 || std::abs(slope) < 1e-12) continue;
-    std::array<std::vector<Tensor>, 5> near;
-    for (std::size_t i = 0; i < difference_places.size(); ++i) {
-      const Vector3 at = cosine + difference_places[i] * difference_step * Vector3::Unit(d);
-      if (difference_places[i] != 0) near[i] = tau_at(at);
-    }
-    for (std::size_t k = 0; k < times.size(); ++k) {
-      const Tensor dtau = slope * difference({near[0][k], near[1][k], tau[k], near[3][k], near[4][k]});
-      stress[k].body_force -= dtau.col(d) / density;  // (DIV P)_i = d P_iJ / d X_J
-    }
-  }
-  return stress;
-}
 
 /// The series at any time, for any thread.
 class BoxSeriesInTime {
@@ -194,48 +141,42 @@ class BoxSolution final : public ExactSolution {
  public:
   BoxSolution(const AxisAligned& motion, double density, std::shared_ptr<const Material> material,
               const BoxOptions& options)
-      : ExactSolution(motion, density), box_(motion), material_(std::move(material)), options_(options) {}
+      : ExactSolution(motion, density), model_{motion, density, std::move(material), options} {}
 
-  /// The stress of points at rest is that of t = 0, where nothing is deformed.
-  std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between) const override {
-    std::vector<ExactPoint> found(points.size());
-    std::map<std::array<double, 3>, std::map<double, std::vector<std::size_t>>> by_place;  // then by time
+  /// Where histories stand behind the stress, all times of a place one after another.
+  void evaluate(std::span<const PlaceAndTime> points, const FieldViews& out, const Between& between) const override {
+    if (model_.material->is_function_of_F()) return ExactSolution::evaluate(points, out, between);
+    std::map<std::array<double, 3>, std::multimap<double, std::size_t>> by_place;  // then by time
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto& [X, t] = points[i];
-      found[i].state = box_.at(X, t);
-      if (t > 0) by_place[{X.x(), X.y(), X.z()}][t].push_back(i);
+      by_place[{X.x(), X.y(), X.z()}].emplace(t, i);
     }
-    double places = 0;
+    double done = 0;
     for (const auto& [place, by_time] : by_place) {
-      if (between) between(places++ / static_cast<double>(by_place.size()), "histories");
-      std::vector<double> times;
-      for (const auto& [t, which] : by_time) times.push_back(t);
-      const auto stress =
-          stress_of_point(*material_, box_, density_, {place[0], place[1], place[2]}, times, options_.direction);
-      std::size_t k = 0;
-      for (const auto& [t, which] : by_time) {
-        for (const std::size_t i : which) found[i].stress = stress[k];
-        ++k;
-      }
+      if (between) between(done++ / static_cast<double>(by_place.size()), "histories");
+      const auto here = places({{place[0], place[1], place[2]}});
+      for (const auto& [t, i] : by_time) here->evaluate(*slice(t), 0, 1, out.from(i));
     }
-    return found;
   }
 
+  std::unique_ptr<const ExactSlice> slice(double t) const override { return slice_of_box(model_, t); }
+  std::unique_ptr<const ExactPlaces> places(std::vector<Vector3> X) const override {
+    return places_of_box(model_, std::move(X));
+  }
   std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const override {
-    return std::make_unique<BoxInstant>(box_, density_, series(), points, asked);
+    return std::make_unique<BoxInstant>(model_.motion, density_, series(), points, asked);
   }
   std::optional<StressSource> source() const override { return series()->source(); }
 
  private:
   std::shared_ptr<BoxSeriesInTime> series() const {
-    if (box_.s().z() != 0) throw std::logic_error("the series of the box is plane");
-    std::call_once(once_, [this] { series_ = std::make_shared<BoxSeriesInTime>(material_, box_, options_); });
+    if (model_.motion.s().z() != 0) throw std::logic_error("the series of the box is plane");
+    std::call_once(
+        once_, [this] { series_ = std::make_shared<BoxSeriesInTime>(model_.material, model_.motion, model_.options); });
     return series_;
   }
 
-  AxisAligned box_;
-  std::shared_ptr<const Material> material_;
-  BoxOptions options_;
+  BoxModel model_;
   mutable std::once_flag once_;
   mutable std::shared_ptr<BoxSeriesInTime> series_;
 };

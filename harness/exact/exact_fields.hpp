@@ -5,6 +5,7 @@
 //   ExactSolution --at(points)------> x, v, a, F, P, sigma, b of any points and times
 //     |
 //     +--slice(t)-------------------> ExactSlice --at(point)--> the same of one time, at many points
+//     |    places(X)                    ExactPlaces: what is wanted of fixed points, quickly
 //     |                                 HexahedronAverage: their means over domains
 //     +--instant(points, asked)-----> ExactInstant --set_time(t)--> the plane fields of many fixed points
 //
@@ -32,6 +33,8 @@
 
 namespace assay {
 
+class ExactPlaces;
+struct FieldViews;
 struct AxisAligned;
 struct Vortex3d;
 
@@ -132,9 +135,11 @@ class ExactSlice {
   virtual Tensor first_piola_kirchhoff(const Vector3& X) const { return at(X).stress.first_piola_kirchhoff; }
   virtual ExactState state(const Vector3& X) const = 0;
 
-  /// A number for each part of the body in which all is smooth: it changes at edges and fronts.
-  virtual std::size_t part(const Vector3&) const { return 0; }
-  virtual bool has_parts() const { return false; }  ///< there is more than one
+  /// What is smooth in a part of the body: that of the motion ends at its edges, of the stress also at fronts.
+  enum class Smooth { motion, stress };
+  /// A number for each part.
+  virtual std::size_t part(const Vector3&, Smooth) const { return 0; }
+  virtual bool has_parts(Smooth) const { return false; }  ///< there is more than one
 };
 
 class ExactSolution {
@@ -147,14 +152,23 @@ class ExactSolution {
   /// Called between points: the share that is done, of what.
   using Between = std::function<void(double share, const char* of)>;
 
+  /// What is wanted of points at times of their own. Throws MaterialFailure.
+  virtual void evaluate(std::span<const PlaceAndTime> points, const FieldViews& out, const Between& between = {}) const;
+
   /// One for each point, in their order. Throws MaterialFailure.
-  virtual std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between = {}) const = 0;
+  virtual std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between = {}) const;
   ExactPoint at(const Vector3& X, double t) const { return at(std::array{PlaceAndTime{X, t}}).front(); }
 
   virtual ExactState state(const Vector3& X, double t) const { return motion_->at(X, t); }
 
+  /// The reference point that is at x at time t, to rounding; absent where no point of the motion is [m].
+  virtual std::optional<Vector3> reference_of(const Vector3& x, double t) const { return motion_->reference_of(x, t); }
+
   /// Lives no longer than the solution. Throws MaterialFailure, as its members do.
   virtual std::unique_ptr<const ExactSlice> slice(double t) const;
+
+  /// Reference points X [m] that are asked at many times. Lives no longer than the solution.
+  virtual std::unique_ptr<const ExactPlaces> places(std::vector<Vector3> X) const;
 
   virtual std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const = 0;
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/exact/exact_fields.hpp"
+#include "harness/exact/places.hpp"
 
 namespace assay {
 
@@ -19,6 +19,10 @@ Point apparent(const Point& a, const Point& v, const Point& x, double spin) {
 Plane rotation_of(const Frame& frame, double t) {
   const double angle = frame.angle + frame.spin * t;
   return rotation(std::cos(angle), std::sin(angle));
+}
+
+ExactPoint seen_from(const Frame& frame, const ExactPoint& own, double t) {
+  return {frame.seen(own.state, t), frame.seen(own.stress, own.state, t)};
 }
 
 class FramedInstant final : public ExactInstant {
@@ -101,8 +105,12 @@ class FramedSlice final : public ExactSlice {
     return {frame_.seen(own.state, t_), frame_.seen(own.stress, own.state, t_)};
   }
   ExactState state(const Vector3& X) const override { return frame_.seen(own_->state(frame_.body_point(X)), t_); }
-  bool has_parts() const override { return own_->has_parts(); }
-  std::size_t part(const Vector3& X) const override { return own_->part(frame_.body_point(X)); }
+  bool has_parts(Smooth of) const override { return own_->has_parts(of); }
+  std::size_t part(const Vector3& X, Smooth of) const override { return own_->part(frame_.body_point(X), of); }
+
+  const Frame& frame() const { return frame_; }
+  const ExactSlice& own() const { return *own_; }
+  double t() const { return t_; }
 
  private:
   Frame frame_;
@@ -110,27 +118,61 @@ class FramedSlice final : public ExactSlice {
   double t_;
 };
 
+class FramedPlaces final : public ExactPlaces {
+ public:
+  FramedPlaces(std::vector<Vector3> X, std::unique_ptr<const ExactPlaces> own)
+      : ExactPlaces(std::move(X)), own_(std::move(own)) {}
+
+  void evaluate(const ExactSlice& slice, std::size_t first, std::size_t count, const FieldViews& out) const override {
+    const auto& now = static_cast<const FramedSlice&>(slice);
+    constexpr std::size_t at_once = 256;
+    std::vector<PointFields> fields(std::min(count, at_once));
+    FieldViews asked = PointFields::views(fields.data());
+    if (!out.F) asked.F = {};
+    if (!out.P) asked.P = {};
+    if (!out.sigma) asked.sigma = {};
+    if (!out.a) asked.a = {};
+    if (!out.b) asked.b = {};
+    if (!out.static_force) asked.static_force = {};
+    if (!out.x && !out.v && !out.a && !out.b) asked.x = asked.v = {};
+    for (std::size_t begin = 0; begin < count; begin += at_once) {
+      const std::size_t some = std::min(at_once, count - begin);
+      own_->evaluate(now.own(), first + begin, some, asked);
+      for (std::size_t p = 0; p < some; ++p) out.put(begin + p, seen_from(now.frame(), fields[p].point(), now.t()));
+    }
+  }
+
+ private:
+  std::unique_ptr<const ExactPlaces> own_;
+};
+
 class FramedSolution final : public ExactSolution {
  public:
   FramedSolution(const Frame& frame, ExactSolutionPtr own)
       : ExactSolution(own->motion(), 0), frame_(frame), own_(std::move(own)) {}
 
-  std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between) const override {
+  void evaluate(std::span<const PlaceAndTime> points, const FieldViews& out, const Between& between) const override {
     std::vector<PlaceAndTime> of_body(points.begin(), points.end());
     for (PlaceAndTime& point : of_body) point.X = frame_.body_point(point.X);
-    std::vector<ExactPoint> found = own_->at(of_body, between);
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      const double t = points[i].t;
-      found[i] = {frame_.seen(found[i].state, t), frame_.seen(found[i].stress, found[i].state, t)};
-    }
-    return found;
+    std::vector<PointFields> fields(points.size());
+    own_->evaluate(of_body, PointFields::views(fields.data()), between);
+    for (std::size_t i = 0; i < points.size(); ++i) out.put(i, seen_from(frame_, fields[i].point(), points[i].t));
   }
 
   std::unique_ptr<const ExactSlice> slice(double t) const override {
     return std::make_unique<FramedSlice>(frame_, own_->slice(t), t);
   }
+  std::unique_ptr<const ExactPlaces> places(std::vector<Vector3> X) const override {
+    std::vector<Vector3> of_body;
+    for (const Vector3& at : X) of_body.push_back(frame_.body_point(at));
+    return std::make_unique<FramedPlaces>(std::move(X), own_->places(std::move(of_body)));
+  }
   ExactState state(const Vector3& X, double t) const override {
     return frame_.seen(own_->state(frame_.body_point(X), t), t);
+  }
+  std::optional<Vector3> reference_of(const Vector3& x, double t) const override {
+    const auto own = own_->reference_of(frame_.body_position(x, t), t);
+    return own ? std::optional<Vector3>(frame_.rotation(0) * *own) : std::nullopt;
   }
 
   std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const override {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "harness/exact/divided_quadrature.hpp"
+
 namespace assay {
 
 namespace {
@@ -26,111 +28,14 @@ bool same_way(const Hexahedra::Face& a, const Hexahedra::Face& b) {
   return b[(at + 1) % 4] == a[1];
 }
 
-/// Of corners in the order of a square's, or in VTK's of a cube: the place at u in [0, 1]^Dim, and its derivatives.
-template <int Dim>
-struct Map {
-  std::array<Vector3, 1 << Dim> corners;
-
-  Vector3 operator()(const std::array<double, Dim>& u) const {
-    Vector3 x = Vector3::Zero();
-    for (std::size_t k = 0; k < corners.size(); ++k) x += weight(k, u, Dim) * corners[k];
-    return x;
-  }
-  Vector3 slope(const std::array<double, Dim>& u, std::size_t along) const {
-    Vector3 x = Vector3::Zero();
-    for (std::size_t k = 0; k < corners.size(); ++k) x += (upper(k, along) ? 1 : -1) * weight(k, u, along) * corners[k];
-    return x;
-  }
-
- private:
-  static bool upper(std::size_t corner, std::size_t d) {
-    return d == 0 ? (corner % 4 == 1 || corner % 4 == 2) : d == 1 ? corner % 4 >= 2 : corner >= 4;
-  }
-  /// Product of the linear functions of all directions but one.
-  static double weight(std::size_t corner, const std::array<double, Dim>& u, std::size_t without) {
-    double w = 1;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      if (d != without) w *= upper(corner, d) ? u[d] : 1 - u[d];
-    }
-    return w;
-  }
-};
-
-/// A box in [0, 1]^Dim.
-template <int Dim>
-struct Piece {
-  std::array<double, Dim> lower{};
-  double size = 1;
-
-  std::array<double, Dim> at(const std::array<double, Dim>& share) const {
-    std::array<double, Dim> u;
-    for (std::size_t d = 0; d < Dim; ++d) u[d] = lower[d] + size * share[d];
-    return u;
-  }
-};
-
-/// visit(shares in [0, 1]^Dim) for all of a lattice of n^Dim.
-template <int Dim>
-void for_each_share(std::size_t n, const auto& visit) {
-  std::size_t count = 1;
-  for (int d = 0; d < Dim; ++d) count *= n;
-  for (std::size_t k = 0; k < count; ++k) {
-    std::array<std::size_t, Dim> index;
-    for (std::size_t d = 0, rest = k; d < Dim; ++d, rest /= n) index[d] = rest % n;
-    if (!visit(index)) return;
-  }
-}
-
-/// Whether all of the piece seems to lie in one smooth part: as n^Dim of its points do.
-template <int Dim>
-bool is_smooth(const ExactSlice& slice, const Map<Dim>& map, const Piece<Dim>& piece, std::size_t n) {
-  std::optional<std::size_t> part;
-  bool one = true;
-  for_each_share<Dim>(n, [&](const std::array<std::size_t, Dim>& index) {
-    std::array<double, Dim> share;
-    for (std::size_t d = 0; d < Dim; ++d) share[d] = static_cast<double>(index[d]) / static_cast<double>(n - 1);
-    const std::size_t here = slice.part(map(piece.at(share)));
-    one = !part || here == *part;
-    part = here;
-    return one;
-  });
-  return one;
-}
-
-/// visit(u, weight) at Gauss points, of pieces that are halved in all directions where they are not smooth.
-template <int Dim>
-void for_each_gauss_point(const ExactSlice& slice, const Map<Dim>& map, std::span<const GaussPoint> gauss,
-                          int divisions, const Piece<Dim>& piece, const auto& visit) {
-  constexpr std::size_t looks_first = 4, looks = 3;  // along each direction; of a whole face, and of its pieces
-  if (divisions > 0 && slice.has_parts() && !is_smooth(slice, map, piece, piece.size == 1 ? looks_first : looks)) {
-    for_each_share<Dim>(2, [&](const std::array<std::size_t, Dim>& index) {
-      Piece<Dim> half{piece.lower, 0.5 * piece.size};
-      for (std::size_t d = 0; d < Dim; ++d) half.lower[d] += half.size * static_cast<double>(index[d]);
-      for_each_gauss_point(slice, map, gauss, divisions - 1, half, visit);
-      return true;
-    });
-    return;
-  }
-  for_each_share<Dim>(gauss.size(), [&](const std::array<std::size_t, Dim>& index) {
-    std::array<double, Dim> share;
-    double weight = 1;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      share[d] = 0.5 * (1 + gauss[index[d]].at);
-      weight *= 0.5 * piece.size * gauss[index[d]].weight;
-    }
-    visit(piece.at(share), weight);
-    return true;
-  });
-}
-
 template <int Dim, class Indices>
-Map<Dim> map_of(const Hexahedra& domains, const Indices& indices) {
-  Map<Dim> map;
+MultilinearMap<Dim> map_of(const Hexahedra& domains, const Indices& indices) {
+  MultilinearMap<Dim> map;
   for (std::size_t k = 0; k < map.corners.size(); ++k) map.corners[k] = domains.corners()[indices[k]];
   return map;
 }
 
-double volume_at(const Map<3>& map, const std::array<double, 3>& u) {
+double volume_at(const MultilinearMap<3>& map, const std::array<double, 3>& u) {
   return map.slope(u, 0).dot(map.slope(u, 1).cross(map.slope(u, 2)));
 }
 
@@ -183,7 +88,7 @@ HexahedronAverage::HexahedronAverage(Hexahedra domains, double density, const He
     : domains_(std::move(domains)), density_(density), rule_(rule), gauss_(gauss_points(rule.gauss)) {
   const auto& exact = gauss_rule<2>();  // det of a trilinear map is quadratic along each direction
   for (const Hexahedra::Domain& domain : domains_.domains()) {
-    const Map<3> map = map_of<3>(domains_, domain.corners);
+    const MultilinearMap<3> map = map_of<3>(domains_, domain.corners);
     double volume = 0;
     for (const GaussPoint& u : exact) {
       for (const GaussPoint& v : exact) {
@@ -197,21 +102,22 @@ HexahedronAverage::HexahedronAverage(Hexahedra domains, double density, const He
 }
 
 HexahedronAverage::Flux HexahedronAverage::flux(const ExactSlice& slice, const Hexahedra::Face& face) const {
-  const Map<2> map = map_of<2>(domains_, face);
+  const MultilinearMap<2> map = map_of<2>(domains_, face);
   Flux sum;
-  for_each_gauss_point<2>(slice, map, gauss_, rule_.divisions, {}, [&](const std::array<double, 2>& u, double weight) {
-    const Vector3 X = map(u), normal = weight * map.slope(u, 0).cross(map.slope(u, 1));
-    const Vector3 force = slice.first_piola_kirchhoff(X) * normal;
-    sum.force += force;
-    sum.moment += slice.state(X).x.cross(force);
-  });
+  for_each_gauss_point<2>(slice, ExactSlice::Smooth::stress, map, gauss_, rule_.divisions, {},
+                          [&](const std::array<double, 2>& u, double weight) {
+                            const Vector3 X = map(u), normal = weight * map.slope(u, 0).cross(map.slope(u, 1));
+                            const Vector3 force = slice.first_piola_kirchhoff(X) * normal;
+                            sum.force += force;
+                            sum.moment += slice.state(X).x.cross(force);
+                          });
   return sum;
 }
 
 HexahedronAverage::Flux HexahedronAverage::inertia(const ExactSlice& slice, const Hexahedra::Domain& domain) const {
-  const Map<3> map = map_of<3>(domains_, domain.corners);
+  const MultilinearMap<3> map = map_of<3>(domains_, domain.corners);
   Flux sum;
-  for_each_gauss_point<3>(slice, map, gauss_, rule_.divisions / 2, {},
+  for_each_gauss_point<3>(slice, ExactSlice::Smooth::motion, map, gauss_, rule_.divisions / 2, {},
                           [&](const std::array<double, 3>& u, double weight) {
                             const ExactState now = slice.state(map(u));
                             const Vector3 force = density_ * weight * volume_at(map, u) * now.a;
@@ -230,7 +136,7 @@ std::vector<DomainForce> HexahedronAverage::at(const ExactSlice& slice, const In
   pieces(found.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const Hexahedra::Domain& domain = domains_.domains()[p];
-      Flux sum = inertia(slice, domain);
+      Flux sum = rule_.quasi_static ? Flux() : inertia(slice, domain);
       for (const Hexahedra::Side& side : domain.sides) {
         sum.force -= side.sign * flux_of[side.face].force;
         sum.moment -= side.sign * flux_of[side.face].moment;

@@ -48,8 +48,9 @@ class Hexahedra {
 std::vector<std::array<Vector3, 8>> boxes_around(std::span<const Vector3> points, const Vector3& half);
 
 struct HexahedronRule {
-  int gauss = 2;      ///< points along each direction of a piece
-  int divisions = 3;  ///< times that a face is halved both ways where it is not smooth; a domain half as often
+  int gauss = 2;              ///< points along each direction of a piece
+  int divisions = 3;          ///< times that a face is halved both ways where it is not smooth; a domain half as often
+  bool quasi_static = false;  ///< without inertia
 };
 
 /// What acts on a domain.

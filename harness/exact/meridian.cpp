@@ -5,24 +5,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/exact/exact_fields.hpp"
+#include "harness/exact/places.hpp"
 #include "harness/exact/polar.hpp"
 #include "harness/numeric/gauss.hpp"
 
 namespace assay {
 
 MeridianResponse meridian_response(const ResponseAtTime& response, double xi, double first_front) {
+  Tensor tau, slope;
+  response.at(xi, tau, slope);
+  return meridian_response(response, xi, first_front, tau, slope);
+}
+
+MeridianResponse meridian_response(const ResponseAtTime& response, double xi, double first_front, const Tensor& tau,
+                                   const Tensor& dtau_dxi) {
   constexpr double near_rest = 0.01;  // a mean over so little is exact to rounding
-  MeridianResponse found;
-  Tensor tau;
-  response.at(xi, tau, found.dtau_dxi);
+  MeridianResponse found{Tensor::Zero(), dtau_dxi};
   if (xi > near_rest || xi >= first_front) {
     found.tau_by_xi = tau / xi;
     return found;
   }
   for (const GaussPoint& point : gauss_rule<3>()) {
-    Tensor slope;
-    response.at(0.5 * (1 + point.at) * xi, tau, slope);
+    Tensor there, slope;
+    response.at(0.5 * (1 + point.at) * xi, there, slope);
     found.tau_by_xi += 0.5 * point.weight * slope;
   }
   return found;
@@ -47,10 +52,16 @@ Vector3 divergence_piola(const MeridianPoint& p, double g, const MeridianRespons
 
 namespace {
 
+ExactState at_rest(const Vector3& X) {
+  ExactState state;
+  state.x = X;
+  return state;
+}
+
 class MeridianSlice final : public ExactSlice {
  public:
-  MeridianSlice(const Vortex3d& motion, double density, const Response* response, double t)
-      : motion_(motion), density_(density), g_(motion.amplitude.at(t)) {
+  MeridianSlice(const Vortex3d& motion, const VortexFinder& finder, double density, const Response* response, double t)
+      : finder_(finder), density_(density), g_(motion.amplitude.at(t)) {
     for (const Revolution& vortex : motion.all()) has_edge_ |= !vortex.has_smooth_edge();
     if (!response) return;
     response_ = response->at_time(t);
@@ -59,21 +70,45 @@ class MeridianSlice final : public ExactSlice {
   }
 
   ExactPoint at(const Vector3& X) const override {
-    const auto p = motion_.place(X);
+    const auto p = finder_.place(X);
     if (!p) return {at_rest(X), {}};
-    ExactPoint found{state_of(*p, g_), {}};
+    return point_of(*p, response_ ? meridian_response(*response_, p->xi, first_front_) : MeridianResponse());
+  }
+
+  ExactPoint point_of(const MeridianPoint& p, const MeridianResponse& response) const {
+    ExactPoint found{state_of(p, g_), {}};
     ExactStress& stress = found.stress;
-    MeridianResponse response;
-    if (response_) response = meridian_response(*response_, p->xi, first_front_);
-    const Tensor B = p->axes(), QB = p->rotation(g_.value * p->profile.h) * B;
-    stress.first_piola_kirchhoff = QB * (p->xi * response.tau_by_xi) * B.transpose();
+    const Tensor B = p.axes(), Q = p.rotation(g_.value * p.profile.h);
+    stress.first_piola_kirchhoff = Q * B * (p.xi * response.tau_by_xi) * B.transpose();
     stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, found.state.F);
-    stress.body_force = found.state.a - QB * divergence_piola(*p, g_.value, response) / density_;
+    stress.static_force = static_force(p, Q, B, response);
+    stress.body_force = found.state.a + stress.static_force;
     return found;
   }
 
+  /// b and its static part alone.
+  void put_forces(const MeridianPoint& p, const MeridianResponse& response, std::size_t point,
+                  const FieldViews& out) const {
+    const Tensor Q = p.rotation(g_.value * p.profile.h);
+    const Vector3 without = static_force(p, Q, p.axes(), response);
+    const auto put = [&](const FieldView& view, const Vector3& b) {
+      for (int c = 0; view && c < static_cast<int>(out.dimension); ++c) view.at(point, std::size_t(c)) = b(c);
+    };
+    put(out.static_force, without);
+    if (out.b) put(out.b, acceleration_of(p, g_, Q) + without);
+  }
+
+  /// Of n points that lie in a vortex, their tau and slopes.
+  void respond(std::span<const double> xi, std::vector<double>& tau, std::vector<double>& slopes) const {
+    tau.assign(9 * xi.size(), 0), slopes.assign(9 * xi.size(), 0);
+    if (response_) response_->many(xi, (1u << 9) - 1, tau.data(), slopes.data());
+  }
+  MeridianResponse response_at(double xi, const Tensor& tau, const Tensor& slope) const {
+    return response_ ? meridian_response(*response_, xi, first_front_, tau, slope) : MeridianResponse();
+  }
+
   Tensor first_piola_kirchhoff(const Vector3& X) const override {
-    const auto p = motion_.place(X);
+    const auto p = finder_.place(X);
     if (!p || !response_) return Tensor::Zero();
     Tensor tau, slope;
     response_->at(p->xi, tau, slope);
@@ -82,13 +117,14 @@ class MeridianSlice final : public ExactSlice {
   }
 
   ExactState state(const Vector3& X) const override {
-    const auto p = motion_.place(X);
+    const auto p = finder_.place(X);
     return p ? state_of(*p, g_) : at_rest(X);
   }
 
-  bool has_parts() const override { return has_edge_ || !fronts_.empty(); }
-  std::size_t part(const Vector3& X) const override {
-    const auto p = motion_.place(X);
+  bool has_parts(Smooth of) const override { return has_edge_ || (of == Smooth::stress && !fronts_.empty()); }
+  std::size_t part(const Vector3& X, Smooth of) const override {
+    const auto p = finder_.place(X);
+    if (of == Smooth::motion) return has_edge_ && p ? p->vortex + 1 : 0;
     const double xi = p ? p->xi : 0;
     const auto fronts =
         static_cast<std::size_t>(std::lower_bound(fronts_.begin(), fronts_.end(), xi) - fronts_.begin());
@@ -96,13 +132,12 @@ class MeridianSlice final : public ExactSlice {
   }
 
  private:
-  static ExactState at_rest(const Vector3& X) {
-    ExactState state;
-    state.x = X;
-    return state;
+  Vector3 static_force(const MeridianPoint& p, const Tensor& Q, const Tensor& B,
+                       const MeridianResponse& response) const {
+    return -(Q * (B * divergence_piola(p, g_.value, response))) / density_;
   }
 
-  const Vortex3d& motion_;
+  const VortexFinder& finder_;
   double density_;
   AmplitudeValue g_;
   std::shared_ptr<const ResponseAtTime> response_;
@@ -111,34 +146,84 @@ class MeridianSlice final : public ExactSlice {
   bool has_edge_ = false;  ///< where b is not smooth
 };
 
+class MeridianPlaces final : public ExactPlaces {
+ public:
+  MeridianPlaces(const VortexFinder& finder, std::vector<Vector3> X) : ExactPlaces(std::move(X)) {
+    for (std::size_t p = 0; p < size(); ++p) {
+      const auto place = finder.place(this->X(p));
+      place_.push_back(place ? static_cast<std::uint32_t>(moved_.size()) : nowhere);
+      if (place) moved_.push_back(*place);
+    }
+    for (std::size_t p = 0; p < size(); ++p) order_.push_back(static_cast<std::uint32_t>(p));
+    for (std::size_t begin = 0; begin < size(); begin += at_once) {  // neighbours in xi are of one range of a sheet
+      const auto first = order_.begin() + static_cast<std::ptrdiff_t>(begin);
+      const auto xi = [&](std::uint32_t p) { return place_[p] == nowhere ? -1 : moved_[place_[p]].xi; };
+      std::stable_sort(first, first + static_cast<std::ptrdiff_t>(std::min(at_once, size() - begin)),
+                       [&](std::uint32_t a, std::uint32_t b) { return xi(a) < xi(b); });
+    }
+  }
+
+  void evaluate(const ExactSlice& slice, std::size_t first, std::size_t count, const FieldViews& out) const override {
+    const auto& now = static_cast<const MeridianSlice&>(slice);
+    const bool forces_alone = !out.x && !out.v && !out.a && !out.F && !out.P && !out.sigma;
+    std::vector<double> xi, tau, slopes;
+    std::vector<std::size_t> points;
+    for (std::size_t begin = first / at_once * at_once; begin < first + count; begin += at_once) {
+      xi.clear(), points.clear();
+      for (std::size_t k = begin; k < std::min(begin + at_once, size()); ++k) {
+        const std::uint32_t p = order_[k];
+        if (p < first || p >= first + count) continue;
+        if (place_[p] == nowhere) {
+          out.put(p - first, {at_rest(X(p)), {}});
+          continue;
+        }
+        xi.push_back(moved_[place_[p]].xi), points.push_back(p);
+      }
+      if (out.any_stress()) now.respond(xi, tau, slopes);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const MeridianPoint& place = moved_[place_[points[i]]];
+        MeridianResponse response;
+        if (out.any_stress())
+          response =
+              now.response_at(xi[i], tensor_at(tau.data(), xi.size(), i), tensor_at(slopes.data(), xi.size(), i));
+        forces_alone ? now.put_forces(place, response, points[i] - first, out)
+                     : out.put(points[i] - first, now.point_of(place, response));
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t at_once = 512;
+  static constexpr auto nowhere = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> place_;  ///< of each point among those that move
+  std::vector<std::uint32_t> order_;  ///< of the points of each piece, by xi
+  std::vector<MeridianPoint> moved_;
+};
+
 class MeridianSolution final : public ExactSolution {
  public:
   MeridianSolution(const Vortex3d& motion, double density, std::shared_ptr<const Response> response)
-      : ExactSolution(motion, density), vortex_(motion), response_(std::move(response)) {}
-
-  std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between) const override {
-    std::vector<ExactPoint> found;
-    std::unique_ptr<const ExactSlice> now;
-    double t = 0;
-    for (const PlaceAndTime& point : points) {
-      if (between) between(static_cast<double>(found.size()) / static_cast<double>(points.size()), "points");
-      if (!now || point.t != t) now = slice(t = point.t);
-      found.push_back(now->at(point.X));
-    }
-    return found;
-  }
+      : ExactSolution(motion, density), vortex_(motion), finder_(motion), response_(std::move(response)) {}
 
   std::unique_ptr<const ExactSlice> slice(double t) const override {
-    return std::make_unique<MeridianSlice>(vortex_, density_, response_.get(), t);
+    return std::make_unique<MeridianSlice>(vortex_, finder_, density_, response_.get(), t);
+  }
+  std::unique_ptr<const ExactPlaces> places(std::vector<Vector3> X) const override {
+    return std::make_unique<MeridianPlaces>(finder_, std::move(X));
   }
 
   std::unique_ptr<ExactInstant> instant(const ExactPoints&, const Asked&) const override {
     throw std::logic_error("an instant is plane, and vortex3d is not");
   }
   const Response* response() const override { return response_.get(); }
+  ExactState state(const Vector3& X, double t) const override {
+    const auto p = finder_.place(X);
+    return p ? state_of(*p, vortex_.amplitude.at(t)) : at_rest(X);
+  }
 
  private:
   Vortex3d vortex_;
+  VortexFinder finder_;
   std::shared_ptr<const Response> response_;
 };
 

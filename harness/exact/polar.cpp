@@ -11,7 +11,7 @@
 #include <cmath>
 #include <complex>
 
-#include "harness/exact/exact_fields.hpp"
+#include "harness/exact/places.hpp"
 #include "harness/exact/polar_average.hpp"
 
 namespace assay {
@@ -239,30 +239,10 @@ class PolarSolution final : public ExactSolution {
   PolarSolution(const Motion& motion, double density, std::shared_ptr<const Response> response)
       : ExactSolution(motion, density), response_(std::move(response)) {}
 
-  /// P and b by (20) and (31).
-  std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between) const override {
-    std::vector<ExactPoint> found;
-    for (const auto& [X, t] : points) {
-      if (between) between(static_cast<double>(found.size()) / static_cast<double>(points.size()), "points");
-      const ExactState state = motion_->at(X, t);
-      const double R = std::hypot(X.x(), X.y());
-      const RingKinematics ring = ring_kinematics(motion_, R, t);
-      Tensor tau, dtau_dxi;
-      const RingParameter xi = ring_parameter(motion_, R);
-      response_->at(xi.value, t, tau, dtau_dxi);
-      const PolarMotion& polar = *motion_->polar();
-      const Polar b = polar.widens() ? ring.body_force(density_, R, tau, dtau_dxi)
-                                     : body_force(polar.profile(R), polar.turn().at(t), density_, R, tau, dtau_dxi);
-      const Tensor P = ring.first_piola_kirchhoff(X, tau);
-      Vector3 force = ring.cartesian(X, b);
-      if (R > 0)  // DIV(T) along E_z, of a direction out of the plane
-        force.z() -= (xi.slope * dtau_dxi(2, 0) + tau(2, 0) / R) / density_;
-      found.push_back({state, {P, cauchy_stress(P, state.F), force}});
-    }
-    return found;
+  std::unique_ptr<const ExactSlice> slice(double t) const override { return slice_of_ring(*this, density_, t); }
+  std::unique_ptr<const ExactPlaces> places(std::vector<Vector3> X) const override {
+    return places_of_ring(motion_, std::move(X));
   }
-
-  std::unique_ptr<const ExactSlice> slice(double t) const override { return slice_of_ring(*this, t); }
   std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const override {
     return std::make_unique<PolarInstant>(motion_, density_, response_, points, asked);
   }

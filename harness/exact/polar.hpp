@@ -29,7 +29,11 @@ Polar body_force(const RingProfile& profile, const AmplitudeValue& g, double den
                  const Tensor& dtau_dxi);
 
 /// The slice of a polar solution: its parts lie between the ring's edges and between the fronts of the material.
-std::unique_ptr<const ExactSlice> slice_of_ring(const ExactSolution& solution, double t);
+/// density: rho0 [kg/m^3].
+std::unique_ptr<const ExactSlice> slice_of_ring(const ExactSolution& solution, double density, double t);
+
+/// Points of a polar solution: what depends on R alone is computed once for each radius of some hundred points.
+std::unique_ptr<const ExactPlaces> places_of_ring(const Motion& motion, std::vector<Vector3> X);
 
 /// Fixed reference points of a ring, grouped by radius: what depends on R alone is computed once for each radius.
 struct RingPoints {

@@ -3,53 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace assay {
-
-std::optional<ClosedForm> ClosedForm::of(std::shared_ptr<const Material> material, const Path& path) {
-  const Offer<assay_closed_form> form(*material);
-  const int baseline = path.name == "simple_shear"      ? ASSAY_BASELINE_SIMPLE_SHEAR
-                       : path.name == "uniaxial_strain" ? ASSAY_BASELINE_UNIAXIAL_STRAIN
-                                                        : 0;
-  if (!form || baseline == 0) return std::nullopt;
-  if (path.material_direction != std::array<double, 3>{1, 0, 0}) return std::nullopt;  // a form knows only this one
-  const double eps = 0;
-  double tau[9], dtau[9];
-  if (form(baseline, 1, &eps, tau, dtau) == ASSAY_FAILED) return std::nullopt;
-  ClosedForm result;
-  result.material_ = std::move(material);
-  result.form_ = form;
-  result.baseline_ = baseline;
-  result.amplitude_ = path.amplitude;
-  return result;
-}
-
-void ClosedForm::at(double xi, double t, double g, Tensor& tau, Tensor& dtau_dxi) const {
-  double values[9], slopes[9];
-  at({&xi, 1}, t, g, values, slopes);
-  tau = tensor_of(values), dtau_dxi = tensor_of(slopes);
-}
-
-void ClosedForm::at(std::span<const double> xi, double t, double g, double* tau, double* dtau_dxi) const {
-  const std::size_t n = xi.size();
-  std::array<double, at_once> eps;
-  for (std::size_t i = 0; i < n; ++i) eps[i] = xi[i] * g;
-  const auto fails = [&](std::size_t first, std::size_t count) {
-    return (*form_)(baseline_, count, &eps[first], tau, dtau_dxi) == ASSAY_FAILED;
-  };
-  const std::lock_guard lock(*one_at_a_time_);
-  if (fails(0, n)) {
-    std::size_t bad = 0;
-    while (bad + 1 < n && !fails(bad, 1)) ++bad;
-    throw MaterialFailure(with_reason("its closed form failed", *material_), xi[bad], t);
-  }
-  for (std::size_t i = 0; i < 9 * n; ++i) {
-    dtau_dxi[i] *= g;
-    if (std::isfinite(tau[i]) && std::isfinite(dtau_dxi[i])) continue;
-    throw MaterialFailure("its closed form is not finite", xi[i % n], t);
-  }
-}
 
 namespace {
 
@@ -57,6 +12,9 @@ class SheetAtTime final : public ResponseAtTime {
  public:
   SheetAtTime(const Sheet& sheet, double t) : curve_(sheet.isochrone(t)), has_kinks_(sheet.has_kinks()) {}
   void at(double xi, Tensor& tau, Tensor& dtau_dxi) const override { curve_.at(xi, tau, dtau_dxi); }
+  void many(std::span<const double> xi, unsigned wanted, double* tau, double* slopes) const override {
+    curve_.many(xi, wanted, tau, slopes);
+  }
   void plane_tau(std::span<const double> xi, std::span<double> tau, const InPieces& pieces) const override {
     pieces(xi.size(), [&](std::size_t begin, std::size_t end) { curve_.plane_tau(xi, tau, begin, end); });
   }
@@ -71,6 +29,18 @@ class FormAtTime final : public ResponseAtTime {
  public:
   FormAtTime(const ClosedForm& form, double t) : form_(form), t_(t), g_(form.amplitude(t)) {}
   void at(double xi, Tensor& tau, Tensor& dtau_dxi) const override { form_.at(xi, t_, g_, tau, dtau_dxi); }
+  void many(std::span<const double> xi, unsigned, double* tau, double* slopes) const override {
+    std::array<double, 9 * ClosedForm::at_once> some_tau, some_slopes;
+    const std::size_t n = xi.size();
+    for (std::size_t first = 0; first < n; first += ClosedForm::at_once) {
+      const std::size_t count = std::min(ClosedForm::at_once, n - first);
+      form_.at(xi.subspan(first, count), t_, g_, some_tau.data(), some_slopes.data());
+      for (std::size_t c = 0; c < 9; ++c) {
+        std::copy_n(&some_tau[c * count], count, tau + c * n + first);
+        std::copy_n(&some_slopes[c * count], count, slopes + c * n + first);
+      }
+    }
+  }
   void plane_tau(std::span<const double> xi, std::span<double> tau, const InPieces&) const override {
     std::array<double, 9 * ClosedForm::at_once> values, slopes;
     for (std::size_t first = 0; first < xi.size(); first += ClosedForm::at_once) {
@@ -88,6 +58,15 @@ class FormAtTime final : public ResponseAtTime {
 };
 
 }  // namespace
+
+void ResponseAtTime::many(std::span<const double> xi, unsigned, double* tau, double* slopes) const {
+  Tensor value, slope;
+  for (std::size_t i = 0; i < xi.size(); ++i) {
+    at(xi[i], value, slope);
+    put_tensor(value, tau, xi.size(), i);
+    put_tensor(slope, slopes, xi.size(), i);
+  }
+}
 
 void ResponseAtTime::plane_tau(std::span<const double> xi, std::span<double> tau, const InPieces&) const {
   const std::size_t n = xi.size();

@@ -26,6 +26,10 @@ class ResponseAtTime {
   /// tau and (d tau / d xi)_t [Pa].
   virtual void at(double xi, Tensor& tau, Tensor& dtau_dxi) const = 0;
 
+  /// The components that are wanted (bit c, of nine) at n values of xi: tau[c * n + i] and (d tau / d xi)_t likewise
+  /// [Pa]. The others may be written too. What comes out at an xi does not depend on the others.
+  virtual void many(std::span<const double> xi, unsigned wanted, double* tau, double* slopes) const;
+
   /// tau alone at many xi, in-plane components: tau[c * n + i], c = 11, 12, 21, 22 [Pa].
   virtual void plane_tau(std::span<const double> xi, std::span<double> tau, const InPieces& pieces) const;
 

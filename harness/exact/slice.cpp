@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Slices of solutions that are asked for each point alone.
 #include <algorithm>
-#include <cmath>
+#include <map>
 
-#include "harness/exact/polar.hpp"
+#include "harness/exact/places.hpp"
 
 namespace assay {
 
@@ -20,38 +20,47 @@ class SliceOfPoints final : public ExactSlice {
   double t_;
 };
 
-class PolarSlice final : public ExactSlice {
- public:
-  PolarSlice(const ExactSolution& solution, double t)
-      : solution_(solution),
-        t_(t),
-        ring_(solution.motion()->polar()->ring()),
-        fronts_(solution.response()->at_time(t)->fronts()) {}
-  ExactPoint at(const Vector3& X) const override { return solution_.at(X, t_); }
-  ExactState state(const Vector3& X) const override { return solution_.state(X, t_); }
-  bool has_parts() const override { return true; }
-  std::size_t part(const Vector3& X) const override {
-    const double R = std::hypot(X.x(), X.y());
-    if (!ring_.holds(R)) return 0;
-    const double xi = ring_parameter(solution_.motion(), R).value;
-    return 1 + static_cast<std::size_t>(std::lower_bound(fronts_.begin(), fronts_.end(), xi) - fronts_.begin());
-  }
-
- private:
-  const ExactSolution& solution_;
-  double t_;
-  Annulus ring_;
-  std::vector<double> fronts_;  ///< xi
-};
-
 }  // namespace
-
-std::unique_ptr<const ExactSlice> slice_of_ring(const ExactSolution& solution, double t) {
-  return std::make_unique<PolarSlice>(solution, t);
-}
 
 std::unique_ptr<const ExactSlice> ExactSolution::slice(double t) const {
   return std::make_unique<SliceOfPoints>(*this, t);
+}
+
+std::unique_ptr<const ExactPlaces> ExactSolution::places(std::vector<Vector3> X) const {
+  return std::make_unique<ExactPlaces>(std::move(X));
+}
+
+void ExactSolution::evaluate(std::span<const PlaceAndTime> points, const FieldViews& out,
+                             const Between& between) const {
+  constexpr std::size_t at_once = 4096;
+  std::map<double, std::vector<std::size_t>> by_time;
+  for (std::size_t i = 0; i < points.size(); ++i) by_time[points[i].t].push_back(i);
+  std::size_t done = 0;
+  for (const auto& [t, which] : by_time) {
+    const auto now = slice(t);
+    for (std::size_t first = 0; first < which.size(); first += at_once) {
+      if (between) between(static_cast<double>(done) / static_cast<double>(points.size()), "points");
+      const std::span some = std::span(which).subspan(first, std::min(at_once, which.size() - first));
+      std::vector<Vector3> X;
+      for (const std::size_t i : some) X.push_back(points[i].X);
+      const auto here = places(std::move(X));
+      const bool in_order = some.back() - some.front() + 1 == some.size();
+      if (in_order) here->evaluate(*now, 0, some.size(), out.from(some.front()));
+      for (std::size_t k = 0; !in_order && k < some.size(); ++k) here->evaluate(*now, k, 1, out.from(some[k]));
+      done += some.size();
+    }
+  }
+}
+
+std::vector<ExactPoint> ExactSolution::at(std::span<const PlaceAndTime> points, const Between& between) const {
+  std::vector<PointFields> fields(points.size());
+  evaluate(points, PointFields::views(fields.data()), between);
+  std::vector<ExactPoint> found;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    found.push_back(fields[i].point());
+    found.back().state.F_rate = state(points[i].X, points[i].t).F_rate;
+  }
+  return found;
 }
 
 }  // namespace assay

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "harness/exact/exact_fields.hpp"
+#include "harness/history/timed_history.hpp"
 #include "harness/history/troop.hpp"
 #include "harness/material/checked_update.hpp"
 
@@ -12,11 +13,12 @@ namespace assay {
 namespace {
 
 /// P of a material along a path, at any time: of a stress that is a function of F by one update, to rounding; else by
-/// a history with error control, taken along as time goes on.
+/// a history with error control, which a run takes along as time goes on. For slices it is a function of t alone.
 class UniformStress {
  public:
-  UniformStress(std::shared_ptr<const Material> material, const Path& path, double own, double end, double tolerance)
-      : material_(std::move(material)), path_(path), own_(own) {
+  UniformStress(std::shared_ptr<const Material> material, const Path& path, double own, double period, double end,
+                double tolerance)
+      : material_(std::move(material)), path_(path), own_(own), panel_(period / panels_a_period) {
     if (material_->is_function_of_F()) {
       state_ = material_->initial_state(1, {}, path_.material_direction);
     } else {
@@ -32,6 +34,14 @@ class UniformStress {
     P_ = history_ ? by_history(t) : by_update(t);
     t_ = t;
     return P_;
+  }
+
+  /// Whatever was asked before.
+  Tensor of_time(double t) {
+    const std::lock_guard lock(mutex_);
+    if (!course_) return by_update(t);
+    if (!timed_) timed_.emplace(*course_, own_, options_, panel_, true);
+    return timed_->tau(t);
   }
 
   std::optional<StressSource> source() const {
@@ -57,13 +67,17 @@ class UniformStress {
     return first_piola_kirchhoff(stepped(*material_, 0, t > 0 ? t : 1, I, F, state_, own_).cauchy, F);
   }
 
+  static constexpr double panels_a_period = 64;
+
   std::shared_ptr<const Material> material_;
   Path path_;
-  double own_;  ///< parameter of the path
+  double own_;    ///< parameter of the path
+  double panel_;  ///< [s]
   HistoryOptions options_;
   std::optional<Course> course_;
   std::optional<Troop> history_;  ///< of one
-  std::vector<double> state_;     ///< at rest
+  std::optional<TimedHistory> timed_;
+  std::vector<double> state_;  ///< at rest
   std::int64_t earlier_calls_ = 0;
   mutable std::mutex mutex_;
   double t_ = -1;  ///< of P_ [s]
@@ -120,11 +134,28 @@ class UniformInstant final : public ExactInstant {
   std::array<double, 5> sigma_{};
 };
 
+class UniformSlice final : public ExactSlice {
+ public:
+  UniformSlice(const Motion& motion, const Tensor& P, double t) : motion_(motion), P_(P), t_(t) {}
+  ExactPoint at(const Vector3& X) const override {
+    const ExactState now = state(X);
+    return {now, {P_, cauchy_stress(P_, now.F), now.a}};
+  }
+  ExactState state(const Vector3& X) const override { return motion_->at(X, t_); }
+
+ private:
+  Motion motion_;
+  Tensor P_;
+  double t_;
+};
+
 class UniformSolution final : public ExactSolution {
  public:
   using Source = std::function<std::optional<StressSource>()>;
-  UniformSolution(const Motion& motion, double density, std::function<Tensor(double)> P, Source source = {})
-      : ExactSolution(motion, density), P_(std::move(P)), source_(std::move(source)) {}
+  using PofTime = std::function<Tensor(double)>;
+  /// P: for times that ascend; of_time: of t alone.
+  UniformSolution(const Motion& motion, double density, PofTime P, PofTime of_time, Source source = {})
+      : ExactSolution(motion, density), P_(std::move(P)), of_time_(std::move(of_time)), source_(std::move(source)) {}
 
   std::vector<ExactPoint> at(std::span<const PlaceAndTime> points, const Between& between) const override {
     std::vector<ExactPoint> found(points.size());
@@ -140,27 +171,32 @@ class UniformSolution final : public ExactSolution {
     return found;
   }
 
+  std::unique_ptr<const ExactSlice> slice(double t) const override {
+    return std::make_unique<UniformSlice>(motion_, of_time_(t), t);
+  }
   std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const override {
     return std::make_unique<UniformInstant>(motion_, P_, points, asked);
   }
   std::optional<StressSource> source() const override { return source_ ? source_() : std::nullopt; }
 
  private:
-  std::function<Tensor(double)> P_;
+  PofTime P_, of_time_;
   Source source_;
 };
 
 }  // namespace
 
 ExactSolutionPtr exact_uniform(const Motion& motion, double density, std::function<Tensor(double)> P) {
-  return std::make_shared<const UniformSolution>(motion, density, std::move(P));
+  return std::make_shared<const UniformSolution>(motion, density, P, P);
 }
 
 ExactSolutionPtr exact_uniform(const Motion& motion, double density, std::shared_ptr<const Material> material,
                                const Path& path, double end, double tolerance) {
-  auto stress = std::make_shared<UniformStress>(std::move(material), path, motion->own_parameter(), end, tolerance);
+  auto stress = std::make_shared<UniformStress>(std::move(material), path, motion->own_parameter(), motion->period(),
+                                                end, tolerance);
   return std::make_shared<const UniformSolution>(
-      motion, density, [stress](double t) { return stress->at(t); }, [stress] { return stress->source(); });
+      motion, density, [stress](double t) { return stress->at(t); }, [stress](double t) { return stress->of_time(t); },
+      [stress] { return stress->source(); });
 }
 
 }  // namespace assay

@@ -29,6 +29,23 @@ History::History(const Course& course, double xi, const HistoryOptions& options)
   }
 }
 
+History::History(const History& other)
+    : course_(other.course_),
+      xi_(other.xi_),
+      t_(other.t_),
+      error_(other.error_),
+      calls_(other.calls_),
+      most_calls_(other.most_calls_),
+      piece_end_(other.piece_end_),
+      refusals_(other.refusals_),
+      refused_(other.refused_),
+      branches_(other.branches_),
+      flickers_(other.flickers_),
+      y_(other.y_) {
+  if (other.increments_) increments_ = std::make_unique<Increments>(*this, *other.increments_);
+  if (other.rates_) rates_ = std::make_unique<Rates>(*this, *other.rates_);
+}
+
 History::~History() = default;
 
 void History::count_call() {

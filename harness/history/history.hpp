@@ -161,8 +161,10 @@ class History {
  public:
   History(const Course& course, double xi, const HistoryOptions& options);
   ~History();
-  History(const History&) = delete;
   History& operator=(const History&) = delete;
+
+  /// As it is now, to go on by itself.
+  std::unique_ptr<History> copy() const { return std::unique_ptr<History>(new History(*this)); }
 
   /// To the time `to` >= t(); never steps over a reversal of the path. Throws MaterialFailure.
   void advance(double to);
@@ -180,6 +182,7 @@ class History {
  private:
   class Increments;
   class Rates;
+  History(const History& other);
   /// One more call of the material. Throws MaterialFailure where a piece of the path would take too many.
   void count_call();
   /// Of a step that was too long for the material.

@@ -20,6 +20,7 @@ namespace assay {
 class History::Increments {
  public:
   Increments(History& history, const HistoryOptions& options);
+  Increments(History& history, const Increments& other) : Increments(other) { h_ = &history; }
   void advance(double to);
 
  private:
@@ -117,6 +118,7 @@ class History::Increments {
 class History::Rates {
  public:
   Rates(History& history, const HistoryOptions& options);
+  Rates(History& history, const Rates& other) : Rates(other) { h_ = &history; }
   void advance(double to);
 
  private:

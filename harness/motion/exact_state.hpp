@@ -18,7 +18,8 @@ struct ExactState {
 struct ExactStress {
   Tensor first_piola_kirchhoff = Tensor::Zero();  ///< T of the paper [Pa]
   Tensor cauchy = Tensor::Zero();                 ///< [Pa]
-  Vector3 body_force = Vector3::Zero();           ///< b per mass (1) [m/s^2]
+  Vector3 body_force = Vector3::Zero();           ///< b per mass (1), a + static_force [m/s^2]
+  Vector3 static_force = Vector3::Zero();         ///< -DIV(T)/rho0: b without inertia [m/s^2]
 };
 
 }  // namespace assay

@@ -41,6 +41,7 @@ ExactStress Frame::seen(const ExactStress& stress, const ExactState& state, doub
   out.first_piola_kirchhoff = R * stress.first_piola_kirchhoff * rotation(0).transpose();
   out.cauchy = R * stress.cauchy * R.transpose();
   out.body_force = R * (stress.body_force + coriolis_and_centrifugal(state));
+  out.static_force = R * stress.static_force;
   return out;
 }
 

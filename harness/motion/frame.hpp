@@ -37,13 +37,17 @@ struct Frame {
   /// X = R(0)^T X' [m].
   Vector3 body_point(const Vector3& X) const { return rotation(0).transpose() * X; }
 
+  /// x = R(t)^T (x' - velocity t) [m].
+  Vector3 body_position(const Vector3& x, double t) const { return rotation(t).transpose() * (x - velocity * t); }
+
   /// 2 w x v + w x (w x x), w along the axis, of a point of the body, along the body's axes [m/s^2].
   Vector3 coriolis_and_centrifugal(const ExactState& state) const;
 
   /// x', v' = R (v + w x x) + c, a' = R (a + 2 w x v + w x (w x x)), F' = R(t) F R(0)^T.
   ExactState seen(const ExactState& state, double t) const;
 
-  /// P' = R(t) P R(0)^T, sigma' = R sigma R^T, b' = R (b + 2 w x v + w x (w x x)); state: of the body's own motion.
+  /// P' = R(t) P R(0)^T, sigma' = R sigma R^T, b' = R (b + 2 w x v + w x (w x x)), without inertia R b alone; state: of
+  /// the body's own motion.
   ExactStress seen(const ExactStress& stress, const ExactState& state, double t) const;
 };
 

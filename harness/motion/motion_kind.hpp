@@ -40,6 +40,9 @@ class PolarMotion {
   virtual std::function<std::vector<double>(double)> radii_of_parameter() const {
     return [](double R) { return std::vector{R}; };
   }
+
+  /// The reference point that is at x at time t; absent where a ring that widens does not reach [m].
+  std::optional<Vector3> turned_back(const Vector3& x, double t) const;
 };
 
 /// What is wrong with a value of a scene.
@@ -65,9 +68,12 @@ inline constexpr Range profile_powers{.lower = 2, .upper = 64, .whole = true};
 /// Over which (1 - s^2)^m changes where s goes from 0 to 1 on that way [m].
 inline double profile_length(double way, int power) { return way * std::min(1.0, 2 / std::sqrt(power)); }
 
-inline void profile_power_key(Keys& keys, int& power, bool shown = true) {
+/// Of the motions' own key, which they share; a vortex in a list has a default of its own.
+inline constexpr const char* usual_profile_power = "2 in the plane, 4 of vortex3d";
+
+inline void profile_power_key(Keys& keys, int& power, bool shown = true, const char* derived = usual_profile_power) {
   keys("profile_power", "m of the profile h = (1 - s^2)^m; m = 1 is excluded: the body's faces would need tractions",
-       power, {.range = profile_powers, .derived = "2 in the plane, 4 of vortex3d", .shown = shown});
+       power, {.range = profile_powers, .derived = derived, .shown = shown});
 }
 
 inline void axis_key(Keys& keys, Vector3& axis, bool shown = true) {
@@ -96,6 +102,9 @@ class MotionKind {
   virtual std::optional<MotionFault> fault(const MotionUse&) const { return std::nullopt; }
 
   virtual ExactState at(const Vector3& X, double t) const = 0;
+  /// The inverse of it: the reference point X that is at x at time t, to rounding; absent where no point is [m].
+  /// Without a formula of its own a motion is followed from rest by Newton's method.
+  virtual std::optional<Vector3> reference_of(const Vector3& x, double t) const;
   virtual Path baseline() const = 0;
   virtual double period() const = 0;                  ///< T [s]; of a table the time of its last row
   virtual double own_parameter() const { return 1; }  ///< of the baseline, where F is the same everywhere

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <tuple>
 
 #include "harness/motion/motion_kind.hpp"
 
@@ -38,8 +39,9 @@ struct Revolution {
   Vector3 center{0, 0, 0};               ///< on the axis [m]
   double strength = 1;                   ///< factor of h, of either sign [1]
 
-  /// alone: not shown in a scene that is written in full where a list of vortices takes its place.
-  void keys(auto& key, bool alone = true) {
+  /// alone: not shown in a scene that is written in full where a list of vortices takes its place. power: how the
+  /// default of profile_power follows from other keys; empty in a list, where it is a constant.
+  void keys(auto& key, bool alone = true, const char* power = "") {
     const bool is_torus = alone && profile == Profile::torus, is_drum = alone && profile == Profile::drum;
     key("profile", "shape of the vortex, a body of revolution about its axis", profile, {.shown = alone});
     key("radius", "radius a of a ball or drum; of a torus the radius w of its section [m]", radius,
@@ -48,14 +50,19 @@ struct Revolution {
         {.range = sizes, .derived = "none: required of a torus, which alone has it", .shown = is_torus});
     key("height", "half the height of a drum, c [m]", height,
         {.range = sizes, .derived = "none: required of a drum, which alone has it", .shown = is_drum});
-    profile_power_key(key, profile_power, alone);
+    profile_power_key(key, profile_power, alone, power);
     key("height_power", "k of a drum's profile (1 - R^2/a^2)^m (1 - Z^2/c^2)^k", height_power,
         {.range = profile_powers, .derived = "4 of a drum, which alone has it", .shown = is_drum});
     axis_key(key, axis, alone);
     key("center", "point on the axis, in the middle of the vortex [m]", center, {.shown = alone});
     key("strength", "factor of the angle against that of the amplitude, of either sign [1]", strength,
-        {.shown = alone});
+        {.range = {.lower = -sizes.upper, .upper = sizes.upper}, .shown = alone});
   }
+
+  using Shape =
+      std::tuple<Profile, double, std::optional<double>, std::optional<double>, int, std::optional<int>, double>;
+  /// All but its place and axis.
+  Shape shape() const { return {profile, radius, ring_radius, height, profile_power, height_power, strength}; }
 
   /// R: distance from the axis, Z: along it from the centre [m]. Absent outside; on the edge the limit from inside.
   std::optional<MeridianProfile> at(double R, double Z) const;
@@ -75,9 +82,6 @@ struct Revolution {
 
 /// The largest xi = R |Grad h|/2 in the body.
 double largest_xi_of(const Revolution& vortex);
-
-/// A point that lies in both [m]; absent where they are disjoint, or touch.
-std::optional<Vector3> common_point(const Revolution& a, const Revolution& b);
 
 void fields(auto& archive, Revolution& r) {
   archive(r.profile, r.radius, r.ring_radius, r.height, r.profile_power, r.height_power, r.axis, r.center, r.strength);

@@ -43,11 +43,16 @@ const Isochrone::Range& Isochrone::range_of(double parameter) const {
   return *found;
 }
 
+void Isochrone::place(const Range& range, double parameter, double& x, double& scale) const {
+  const double s = range.map.s_of(parameter), slope = range.map.slope(s) * range.s.width();
+  x = in_series(s, range.s);
+  scale = slope > 0 ? 2 * factor_ / slope : 0;
+}
+
 void Isochrone::at(double xi, Tensor& tau, Tensor& dtau_dxi) const {
   const Range& range = range_of(factor_ * xi);
-  const double s = range.map.s_of(factor_ * xi), slope = range.map.slope(s) * range.s.width();
-  const double x = in_series(s, range.s);
-  const double scale = slope > 0 ? 2 * factor_ / slope : 0;
+  double x = 0, scale = 0;
+  place(range, factor_ * xi, x, scale);
   const std::size_t active = range.active.size();
   tau.setZero();
   dtau_dxi.setZero();

@@ -47,6 +47,10 @@ class Isochrone {
   /// Nine components of tau and of d tau / d xi at xi [Pa].
   void at(double xi, Tensor& tau, Tensor& dtau_dxi) const;
 
+  /// The components that are wanted (bit c, of nine) at n values of xi: tau[c * n + i] and slopes[c * n + i] [Pa]. The
+  /// same bits as at() has them, for values of xi in any order.
+  void many(std::span<const double> xi, unsigned wanted, double* tau, double* slopes) const;
+
   /// tau 11, 12, 21, 22 of n values of xi, of those from first to last - 1: tau[c * n + i] [Pa].
   void plane_tau(std::span<const double> xi, std::span<double> tau, std::size_t first, std::size_t last) const;
 
@@ -55,6 +59,10 @@ class Isochrone {
 
  private:
   const Range& range_of(double parameter) const;
+  /// Where in a range's series a parameter lies, and d x / d xi.
+  void place(const Range& range, double parameter, double& x, double& scale) const;
+  /// How many of the next values of xi are of one range, with their places in it.
+  std::size_t row_from(std::span<const double> xi, const Range& range, double* x, double* scale) const;
   std::size_t neighbours_from(std::span<const double> xi, const Range& range, double* x) const;
   std::vector<Range> ranges_;
   double factor_;

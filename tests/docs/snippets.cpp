@@ -25,15 +25,20 @@ struct Ran {
   std::string output;  ///< both streams
 };
 
-/// The shell's environment: `assay` and this build's cmake first, nothing of the user's.
+/// A Python that has numpy, which blocks ask for by needs=numpy.
+const std::string numpy =
+    ASSAY_NUMPY_PYTHON[0] == '\0' ? "" : "numpy() { :; }\npython3() { '" ASSAY_NUMPY_PYTHON "' \"$@\"; }\n";
+
+/// The shell's environment: `assay`, its library and this build's cmake first, nothing of the user's.
 const std::string environment =
-    "unset ASSAY_MATERIAL_PATH CDPATH DESTDIR\n"
-    "PATH='" +
-    built() +
-    "':$PATH ASSAY_DATA_HOME=$PWD/data ASSAY_CACHE_HOME=$PWD/cache HOME=$PWD\n"
+    numpy + "unset ASSAY_MATERIAL_PATH ASSAY_LIBRARY ASSAY_PROGRAM CDPATH DESTDIR\nbuilt='" + built() +
+    "'\n"
+    "PATH=$built:$PATH ASSAY_DATA_HOME=$PWD/data ASSAY_CACHE_HOME=$PWD/cache HOME=$PWD\n"
+    "PYTHONPATH=$built/python PKG_CONFIG_PATH=$built/pkgconfig LD_LIBRARY_PATH=$built PYTHONDONTWRITEBYTECODE=1\n"
     "CMAKE_GENERATOR='" ASSAY_CMAKE_GENERATOR
     "' LC_ALL=C\n"
-    "export PATH ASSAY_DATA_HOME ASSAY_CACHE_HOME HOME CMAKE_GENERATOR LC_ALL\n";
+    "export PATH ASSAY_DATA_HOME ASSAY_CACHE_HOME HOME CMAKE_GENERATOR LC_ALL\n"
+    "export PYTHONPATH PKG_CONFIG_PATH LD_LIBRARY_PATH PYTHONDONTWRITEBYTECODE\n";
 
 void write(const fs::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);

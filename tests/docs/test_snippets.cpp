@@ -24,7 +24,8 @@ TEST_P(Snippets, Run) {
 
 // A misspelt language or info word would leave a block out in silence.
 TEST_P(Snippets, SayWhatTheyAre) {
-  const std::vector<std::string> known{"sh", "console", "c", "cpp", "cmake", "yaml", "csv", "json", "text", "fortran"};
+  const std::vector<std::string> known{"sh",  "console", "c",    "cpp",     "cmake", "yaml",
+                                       "csv", "json",    "text", "fortran", "python"};
   for (const Block& block : parse_page(GetParam(), assay::house::text_of(GetParam())).blocks) {
     const std::string where = GetParam() + ":" + std::to_string(block.line);
     EXPECT_NE(std::find(known.begin(), known.end(), block.language), known.end()) << where << ": " << block.language;

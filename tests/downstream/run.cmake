@@ -25,7 +25,8 @@ endfunction()
 run(0 "" ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${work}/first)
 file(RENAME ${work}/first ${prefix})
 foreach(file IN ITEMS bin/assay include/assay/harness/assay_material.h
-    include/assay/harness/assay_material.f90 share/man/man1/assay.1
+    include/assay/harness/assay_material.f90 include/assay.h include/assay/assay.f90
+    lib/python3/dist-packages/assay/__init__.py share/assay/configs/library/plane_vortex.py share/man/man1/assay.1
     share/doc/assay/LICENSE share/bash-completion/completions/assay share/pkgconfig/assay-abi.pc
     share/assay/configs/paper/vortex_cpdi.yaml
     share/assay/configs/schema/scene.schema.json share/assay/schema/study.schema.json share/doc/assay/README.md share/doc/assay/scenes.md
@@ -48,6 +49,7 @@ if(fortran)
   run(1 "does not export other_routine_" ${CMAKE_COMMAND} --build ${work}/build --target no_routine)
   run(1 "does not export assay_material_entry" ${CMAKE_COMMAND} --build ${work}/build --target no_fortran_entry)
 endif()
+run(0 "libassay [0-9.]+: b = -?[0-9]" ${work}/build/field)
 run(0 "downstream_kirchhoff" ${prefix}/bin/assay materials ${work}/build/kirchhoff.so)
 run(0 "downstream_ideal_gas" ${prefix}/bin/assay materials ${work}/build/ideal_gas.so)
 
@@ -68,6 +70,11 @@ if(fortran) # two checks of one model, and two scenes of one name, can be told a
       message(FATAL_ERROR "${test}.xml: no test of the class ${name}")
     endif()
   endforeach()
+endif()
+find_program(python python3)
+if(python)
+  run(0 "[0-9]+[.][0-9]+[.][0-9]+" ${CMAKE_COMMAND} -E env "PYTHONPATH=${prefix}/lib/python3/dist-packages"
+    ${python} -c "import assay; print(assay.library_version())")
 endif()
 run(1 "find_package.assay REQUIRED. in this CMakeLists.txt" ${configure} -S ${SOURCE_DIR}/no_package -B ${work}/no_package)
 run(1 "rotation.during +FAIL" ${prefix}/bin/assay check --replay

@@ -28,7 +28,7 @@ const std::map<std::string, std::vector<std::string>> rooms{
     {"adapters", {"models", "", "foreign", "process", "worker", "abaqus"}},
     {"drivers",
      {"text", "system", "format", "picture", "result", "scene", "material", "output", "simulation", "check", "findings",
-      "explain", "tabulation", "study", "command_line", "verbs", ""}},
+      "explain", "tabulation", "library", "study", "command_line", "verbs", ""}},
 };
 
 /// Foreign headers that only one floor may know.

@@ -179,6 +179,9 @@ try_to_build() {
     assay check ./by_hand.so --parameters lambda=600,mu=400 --quick'
   say "pkg-config assay-abi: $(in_root "$root" pkg-config --cflags assay-abi)"
   # shellcheck disable=SC2016
+  expect 'libassay' sh -ec '
+    cc -std=c11 -O2 $(pkg-config --cflags assay) downstream/field.c -o field $(pkg-config --libs assay) && ./field'
+  # shellcheck disable=SC2016
   expect 'hooke_umat.yaml: pass' sh -ec '
     sed "s/^      RETURN/      CALL SINV(STRESS,S1,S2,NDI,NSHR)\n&/" downstream/hooke_umat.f >hooke_umat.f
     gfortran -O2 -fPIC -shared -I build/abaqus hooke_umat.f -o hooke_umat.so

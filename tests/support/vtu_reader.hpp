@@ -13,8 +13,8 @@
 
 namespace assay {
 
-/// A file whose appended arrays are compressed by vtkZLibDataCompressor, with headers of UInt64. Every function throws
-/// std::runtime_error where the file is not as the format wants it.
+/// A file whose appended arrays have headers of UInt64, and are compressed by vtkZLibDataCompressor or not at all.
+/// Every function throws std::runtime_error where the file is not as the format wants it.
 class VtuFile {
  public:
   explicit VtuFile(std::string text) : text_(std::move(text)) {
@@ -23,9 +23,9 @@ class VtuFile {
     if (at == std::string::npos) throw std::runtime_error("no appended data");
     xml_ = text_.substr(0, at);
     data_ = std::string_view(text_).substr(at + mark.size());
-    for (const char* word : {" header_type=\"UInt64\"", " compressor=\"vtkZLibDataCompressor\""}) {
-      if (xml_.find(word) == std::string::npos) throw std::runtime_error(std::string("the file does not say") + word);
-    }
+    if (xml_.find(" header_type=\"UInt64\"") == std::string::npos) throw std::runtime_error("headers of another type");
+    compressed_ = xml_.find(" compressor=\"vtkZLibDataCompressor\"") != std::string::npos;
+    if (!compressed_ && xml_.find(" compressor=") != std::string::npos) throw std::runtime_error("another compressor");
     constexpr std::string_view end = "\n</AppendedData>\n</VTKFile>\n";
     if (!data_.ends_with(end)) throw std::runtime_error("the file is not whole");
     data_.remove_suffix(end.size());
@@ -55,6 +55,11 @@ class VtuFile {
     const std::string offset = attribute(name, "offset");
     if (offset.empty()) throw std::runtime_error("an array without data: " + name);
     std::size_t at = std::stoull(offset);
+    if (!compressed_) {
+      const std::uint64_t size = number(at);
+      if (size > data_.size() - at) throw std::runtime_error("an array beyond the end: " + name);
+      return std::string(data_.substr(at, size));
+    }
     const std::uint64_t blocks = number(at), block_bytes = number(at), last_bytes = number(at);
     if (blocks > data_.size() / sizeof(std::uint64_t)) throw std::runtime_error("more blocks than bytes: " + name);
     if (last_bytes >= block_bytes || block_bytes > most_block_bytes) {
@@ -110,6 +115,7 @@ class VtuFile {
 
   std::string text_, xml_;
   std::string_view data_;
+  bool compressed_ = false;
 };
 
 }  // namespace assay

@@ -6,6 +6,7 @@
 
 #include "harness/motion/registry.hpp"
 #include "harness/numeric/number_text.hpp"
+#include "harness/numeric/rising_root.hpp"
 
 namespace assay {
 
@@ -50,6 +51,18 @@ ExactState AxisAligned::at(const Vector3& X, double t) const {
     state.F_rate(d, d) = g.rate * cosine;
   }
   return state;
+}
+
+Vector3 AxisAligned::reference_of(const Vector3& x, double t) const {
+  const Vector3 slope = strain(amplitude, t).value * s();
+  Vector3 X = x;
+  for (int d = 0; d < 3; ++d) {
+    const double farthest = std::abs(slope(d)) / pi;
+    X(d) = rising_root(x(d) - farthest, x(d) + farthest, x(d), [&](double at) {
+      return std::pair{at - x(d) + slope(d) * std::sin(pi * at) / pi, 1 + slope(d) * std::cos(pi * at)};
+    });
+  }
+  return X;
 }
 
 Tensor AxisAligned::acceleration_gradient(const Vector3& X, double t) const {
@@ -101,6 +114,7 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
   std::string_view type() const override { return m.one_dimensional ? "bar_1d" : "axis_aligned"; }
   double period() const override { return m.amplitude.period; }
   bool is_homogeneous() const override { return false; }
+  std::optional<Vector3> reference_of(const Vector3& x, double t) const override { return m.reference_of(x, t); }
   double length() const override { return 0.5; }  // from a symmetry plane to where cos(pi X) = 0
   const Amplitude* amplitude() const override { return &m.amplitude; }
   bool is_plane() const override { return m.s().z() == 0; }
@@ -138,6 +152,10 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
                                                ": with dimension: 3 it may be any number"};
     const double largest = m.s().cwiseAbs().maxCoeff();
     if (std::abs(m.amplitude.peak) * largest < 1 / pi) return std::nullopt;
+    if (largest > 1 && use.gives && use.gives("motion.factors"))
+      return MotionFault{"motion.factors", "the largest in size, " + number_text(largest) +
+                                               ", times motion.amplitude.peak, " + number_text(m.amplitude.peak) +
+                                               ", must be less than 1/pi in size, for det F > 0"};
     const std::string times = largest == 1 ? "" : "times the largest of motion.factors, " + number_text(largest) + ", ";
     return MotionFault{"motion.amplitude.peak",
                        times + "must be less than 1/pi in size, for det F > 0, found " + number_text(m.amplitude.peak)};

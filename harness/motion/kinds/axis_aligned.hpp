@@ -26,6 +26,9 @@ struct AxisAligned {
 
   ExactState at(const Vector3& X, double t) const;
 
+  /// The inverse of it, axis by axis: X_i + s_i g sin(pi X_i)/pi = x_i rises with X_i.
+  Vector3 reference_of(const Vector3& x, double t) const;
+
   /// d a / d X, diagonal [1/s^2].
   Tensor acceleration_gradient(const Vector3& X, double t) const;
 

@@ -58,6 +58,7 @@ class TwistingRingKind final : public MotionOf<TwistingRingKind, TwistingRing>, 
   double period() const override { return m.period(); }
   const Amplitude* amplitude() const override { return &m.twist.amplitude; }
   const PolarMotion* polar() const override { return this; }
+  std::optional<Vector3> reference_of(const Vector3& x, double t) const override { return turned_back(x, t); }
   double length() const override { return m.twist.length(); }
 
   Annulus ring() const override { return {m.inner(), m.outer()}; }

@@ -137,6 +137,7 @@ class VortexKind final : public MotionOf<VortexKind, Vortex>, public PolarMotion
   bool bears_tractions() const override { return false; }
   double length() const override { return m.length(); }
   const PolarMotion* polar() const override { return this; }
+  std::optional<Vector3> reference_of(const Vector3& x, double t) const override { return turned_back(x, t); }
 
   Annulus ring() const override { return {m.inner, m.outer}; }
   const Amplitude& turn() const override { return m.amplitude; }

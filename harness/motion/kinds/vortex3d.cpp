@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "harness/motion/kinds/vortex.hpp"
 #include "harness/motion/registry.hpp"
@@ -20,28 +21,56 @@ Tensor MeridianPoint::axes() const {
   return axes;
 }
 
+namespace {
+
+/// Absent outside the vortex.
+std::optional<MeridianPoint> place_in(const Revolution& vortex, const Vector3& X) {
+  MeridianPoint p;
+  p.center = vortex.center;
+  p.E_Z = unit_along(vortex.axis);
+  const Vector3 from = X - p.center;
+  p.Z = from.dot(p.E_Z);
+  p.radial = from - p.Z * p.E_Z;
+  p.R = p.radial.norm();
+  const auto profile = vortex.at(p.R, p.Z);
+  if (!profile) return std::nullopt;
+  p.profile = *profile;
+  const double h_R = p.R * profile->h_R_by_R;
+  p.G = std::hypot(h_R, profile->h_Z);
+  if (p.G > 0) p.c = h_R / p.G, p.s = profile->h_Z / p.G;
+  p.xi = 0.5 * p.R * p.G;
+  return p;
+}
+
+}  // namespace
+
+VortexFinder::VortexFinder(const Vortex3d& motion)
+    : vortices_(motion.all().begin(), motion.all().end()), boxes_(vortices_) {}
+
+std::optional<MeridianPoint> VortexFinder::place(const Vector3& X) const {
+  std::optional<MeridianPoint> found;
+  boxes_.around(X, [&](std::size_t k) {
+    if (found && found->vortex < k) return;
+    if (auto here = place_in(vortices_[k], X)) found = here, found->vortex = k;
+  });
+  return found;
+}
+
 std::optional<MeridianPoint> Vortex3d::place(const Vector3& X) const {
   const std::span<const Revolution> vortices_here = all();
   for (std::size_t k = 0; k < vortices_here.size(); ++k) {
-    const Revolution& vortex = vortices_here[k];
-    MeridianPoint p;
-    p.vortex = k;
-    p.center = vortex.center;
-    p.E_Z = unit_along(vortex.axis);
-    const Vector3 from = X - p.center;
-    p.Z = from.dot(p.E_Z);
-    p.radial = from - p.Z * p.E_Z;
-    p.R = p.radial.norm();
-    const auto profile = vortex.at(p.R, p.Z);
-    if (!profile) continue;
-    p.profile = *profile;
-    const double h_R = p.R * profile->h_R_by_R;
-    p.G = std::hypot(h_R, profile->h_Z);
-    if (p.G > 0) p.c = h_R / p.G, p.s = profile->h_Z / p.G;
-    p.xi = 0.5 * p.R * p.G;
-    return p;
+    auto found = place_in(vortices_here[k], X);
+    if (!found) continue;
+    found->vortex = k;
+    return found;
   }
   return std::nullopt;
+}
+
+Vector3 acceleration_of(const MeridianPoint& p, const AmplitudeValue& g, const Tensor& Q) {
+  const double h = p.profile.h, omega = g.rate * h;  // [rad/s]
+  const Vector3 from_axis = Q * p.radial;
+  return g.acceleration * h * p.E_Z.cross(from_axis) - omega * omega * from_axis;
 }
 
 ExactState state_of(const MeridianPoint& p, const AmplitudeValue& g) {
@@ -52,7 +81,7 @@ ExactState state_of(const MeridianPoint& p, const AmplitudeValue& g) {
   ExactState state;
   state.x = p.center + p.Z * p.E_Z + from_axis;
   state.v = omega * across;
-  state.a = g.acceleration * h * across - omega * omega * from_axis;
+  state.a = acceleration_of(p, g, Q);
   state.F = Q + g.value * shear;
   state.F_rate = g.rate * shear;
   for (int column = 0; column < 3; ++column)
@@ -68,17 +97,24 @@ ExactState Vortex3d::at(const Vector3& X, double t) const {
 }
 
 std::optional<Vortex3d::Overlap> Vortex3d::overlap() const {
+  const BodyBoxes boxes(vortices);
   for (std::size_t i = 0; i < vortices.size(); ++i) {
-    for (std::size_t j = i + 1; j < vortices.size(); ++j) {
-      if (const auto X = common_point(vortices[i], vortices[j])) return Overlap{i, j, *X};
-    }
+    std::optional<Overlap> found;
+    boxes.meeting(vortices[i], [&](std::size_t j) {
+      if (j <= i || (found && found->second < j)) return;
+      if (const auto X = common_point(vortices[i], vortices[j])) found = Overlap{i, j, *X};
+    });
+    if (found) return found;
   }
   return std::nullopt;
 }
 
 double Vortex3d::largest_xi() const {
   double largest = 0;
-  for (const Revolution& vortex : all()) largest = std::max(largest, largest_xi_of(vortex));
+  std::set<Revolution::Shape> seen;  // vortices of one shape are sought once
+  for (const Revolution& vortex : all()) {
+    if (seen.insert(vortex.shape()).second) largest = std::max(largest, largest_xi_of(vortex));
+  }
   return largest;
 }
 
@@ -97,6 +133,11 @@ class Vortex3dKind final : public MotionOf<Vortex3dKind, Vortex3d> {
   using MotionOf::MotionOf;
   std::string_view type() const override { return "vortex3d"; }
   double period() const override { return m.amplitude.period; }
+  /// Distances from axis and centre are kept: what turned is turned back.
+  std::optional<Vector3> reference_of(const Vector3& x, double t) const override {
+    const auto p = m.place(x);
+    return p ? state_of(*p, {.value = -m.amplitude.at(t).value}).x : x;
+  }
   const Amplitude* amplitude() const override { return &m.amplitude; }
   bool is_homogeneous() const override { return false; }
   bool is_plane() const override { return false; }
@@ -110,7 +151,7 @@ class Vortex3dKind final : public MotionOf<Vortex3dKind, Vortex3d> {
   }
 
   void keys(Keys& keys) override {
-    m.one.keys(keys, m.vortices.empty());
+    m.one.keys(keys, m.vortices.empty(), usual_profile_power);
     keys("vortices", "several disjoint vortices in one body, in place of the one: a list of maps", m.vortices);
     period_key(keys, m.amplitude.period);
     m.amplitude.keys(keys);

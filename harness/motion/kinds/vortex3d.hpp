@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <span>
 
+#include "harness/motion/common_point.hpp"
 #include "harness/motion/motion_kind.hpp"
 #include "harness/motion/revolution.hpp"
 
@@ -28,6 +29,9 @@ struct MeridianPoint {
   Tensor rotation(double alpha) const;                                                ///< Q, about the axis
   Tensor axes() const;  ///< columns N, E_Theta, M = -s E_R + c E_Z
 };
+
+/// a of it [m/s^2]. Q: its rotation by g(t) h.
+Vector3 acceleration_of(const MeridianPoint& point, const AmplitudeValue& g, const Tensor& Q);
 
 /// x, v, a and F of it. g: of the time.
 ExactState state_of(const MeridianPoint& point, const AmplitudeValue& g);
@@ -60,6 +64,17 @@ struct Vortex3d {
 
   /// The baseline F = I + 2 g(t) xi E2 E1 (16) with parameter xi >= 0; E1, E2, E3 are N, E_Theta, M of the point.
   Path baseline() const;
+};
+
+/// Places points in the vortices of a motion as Vortex3d::place does, in a time that hardly grows with their number.
+class VortexFinder {
+ public:
+  explicit VortexFinder(const Vortex3d& motion);
+  std::optional<MeridianPoint> place(const Vector3& X) const;
+
+ private:
+  std::vector<Revolution> vortices_;
+  BodyBoxes boxes_;
 };
 
 void fields(auto& archive, Vortex3d& m) { archive(m.one, m.vortices, m.amplitude); }

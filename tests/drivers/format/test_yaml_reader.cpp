@@ -31,7 +31,7 @@ TEST(YamlReader, KeepsOrderPlaceAndQuoting) {
 
 TEST(YamlReader, RefusesDuplicateKeysAtAnyDepth) {
   EXPECT_EQ(refused("a: 1\nb: 2\na: 3\n"), "f:3:1: a: duplicate key");
-  EXPECT_EQ(refused("x:\n  - {a: 1, b: {c: 1, 'c': 2}}\n"), "f:2:22: c: duplicate key");
+  EXPECT_EQ(refused("x:\n  - {a: 1, b: {c: 1, 'c': 2}}\n"), "f:2:22: x[0].b.c: duplicate key");
 }
 
 TEST(YamlReader, TakesExactlyOneDocument) {

@@ -105,6 +105,28 @@ TEST_F(VtuInVtk, every_array_is_what_was_written) {
   EXPECT_EQ(bytes("TimeValue"), as_bytes(std::vector<double>{0.25}));
 }
 
+/// The file whose numbers are put into their places one after the other, in any order.
+TEST_F(VtuInVtk, a_layout_that_is_filled_by_and_by) {
+  constexpr std::size_t n = 7;
+  std::vector<double> positions(3 * n), stress(9 * n);
+  for (std::size_t k = 0; k < positions.size(); ++k) positions[k] = std::cos(0.11 * static_cast<double>(k));
+  for (std::size_t k = 0; k < stress.size(); ++k) stress[k] = std::sin(0.37 * static_cast<double>(k));
+  const VtuLayout layout(n, {{"stress", 9}}, 0.25);
+  std::string text;
+  const auto write = [&](std::uint64_t at, std::string_view bytes) {
+    if (text.size() < at + bytes.size()) text.resize(at + bytes.size());
+    text.replace(at, bytes.size(), bytes);
+  };
+  write(layout.begin(1), as_bytes(positions));
+  write(layout.begin(0), as_bytes(stress));
+  layout.write_rest(write);
+  read(text);
+  EXPECT_EQ(said(), "7 7 [1]\nstress double 11 12 13 21 22 23 31 32 33\n");
+  EXPECT_EQ(bytes("Points"), as_bytes(positions));
+  EXPECT_EQ(bytes("stress"), as_bytes(stress));
+  EXPECT_EQ(bytes("TimeValue"), as_bytes(std::vector<double>{0.25}));
+}
+
 TEST_F(VtuInVtk, no_particles_is_a_file_too) {
   read(vtu_text({}, {{"shear", 1, std::span<const double>{}}}, 0.5));
   EXPECT_EQ(said().substr(0, 7), "0 0 []\n") << said();

@@ -91,7 +91,7 @@ TEST(Dimension, TheBoxHasAFactorForEachAxis) {
             "f.yaml:1:54: motion.factors: the third must be 0 in the plane, found 0.5: with dimension: 3 it may be any "
             "number");
   EXPECT_TRUE(has(refused(box(", factors: [1, -4, 0]")),
-                  "motion.amplitude.peak: times the largest of motion.factors, 4, must be less than 1/pi in size"));
+                  "motion.factors: the largest in size, 4, times motion.amplitude.peak, 0.1, must be less than 1/pi"));
   EXPECT_TRUE(has(refused(box(", amplitude: {peak: 0.4}")),
                   "motion.amplitude.peak: must be less than 1/pi in size, for det F > 0, found 0.4"));
 }

@@ -55,6 +55,7 @@ TEST(Settings, ReplaceAValueOfAList) {
   EXPECT_EQ(refused("list[1]=1"), "--set list[1]: 'list' is a list of 1, counted from 0");
   EXPECT_EQ(refused("list[01]=1"), "--set list[01]: keys are joined by '.': write list.01=...");
   EXPECT_EQ(refused("list[0]x=1"), "--set list[0]x: keys are joined by '.': write list.0.x=...");
+  EXPECT_EQ(refused("a[-1].b=1"), "--set a[-1].b: keys are joined by '.': write a.-1.b=...");
   EXPECT_EQ(refused("[0]=1"), "--set: takes key.path=value, found '[0]=1'");
   for (const char* index : {"x", "1", "-1", "0x0", "00", "18446744073709551616", "1e0"}) {
     EXPECT_EQ(refused(std::string("list.") + index + "=1"),

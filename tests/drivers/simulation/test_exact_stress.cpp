@@ -38,9 +38,9 @@ Scene scene_of(const std::string& model, const std::string& values, const std::s
 }
 
 std::vector<ExactPoint> points_of(const Scene& scene, const std::shared_ptr<const Material>& material) {
-  std::vector<ReferencePoint> points;
-  for (const double t : {1.0, 0.13, 0.4, 0.55, 0.81}) points.push_back({0.3, -0.2, 0.7, t});
-  return exact_points(*exact_solution_of_points(scene, material, 1), points);
+  std::vector<PlaceAndTime> points;
+  for (const double t : {1.0, 0.13, 0.4, 0.55, 0.81}) points.push_back({{0.3, -0.2, 0.7}, t});
+  return exact_solution_of_points(scene, material, 1)->at(points);
 }
 
 /// |P_simultaneous - Q P_none| and the same of sigma, over the largest |P|.

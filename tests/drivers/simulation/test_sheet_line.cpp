@@ -12,6 +12,8 @@ TEST(SheetLine, SaysWhatMakesALongSheetShorter) {
   EXPECT_NE(said.find("force.tolerance: 1e-07 in place of 1e-10"), std::string::npos) << said;
   EXPECT_NE(said.find("time.end"), std::string::npos) << said;
   EXPECT_NE(long_sheet_sentence(250, 1e-12).find("1e-07 in place of 1e-12"), std::string::npos);
+  EXPECT_NE(long_sheet_sentence(250, 1e-4).find("0.01 in place of 0.0001"), std::string::npos);
+  EXPECT_EQ(long_sheet_sentence(250, 1e-2).find("in place of"), std::string::npos);
   EXPECT_NE(long_sheet_sentence(250, 1e-6).find("0.001 in place of 1e-06"), std::string::npos);
 }
 

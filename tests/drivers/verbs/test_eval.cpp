@@ -46,6 +46,28 @@ std::string without_method(const ScratchFolder& scratch, const std::string& scen
   return scratch.write(scene, text);
 }
 
+/// Whatever the motion: the powers of a spin or a rate that are no numbers are empty fields, of which a warning tells.
+TEST(Eval, ValuesThatAreNotFiniteAreCounted) {
+  const ScratchFolder scratch;
+  const std::string motion = scratch.write("v.yaml",
+                                           "motion: {type: vortex}\nmaterial: {adapter: neo_hookean, parameters: {E: "
+                                           "1000, nu: 0.3}, density: 1000}\n");
+  EvalOptions options;
+  options.scene = motion;
+  options.points = scratch.write("points.csv", "X,Y,t\n2,0,0\n1,0,0.4\n");
+  options.out = scratch / "exact.csv";
+  const auto said = [&](const std::string& set) {
+    options.sets = {set};
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(eval(options), 0);
+    return testing::internal::GetCapturedStderr();
+  };
+  const std::string text = said("motion.amplitude.peak=1.0e+160");
+  EXPECT_NE(text.find(" of 50 values are not finite and stay empty, first "), text.npos) << text;
+  EXPECT_NE(text.find(" of line 3 of the points"), text.npos) << text;
+  EXPECT_EQ(said("motion.amplitude.peak=0.1").find("finite"), std::string::npos);
+}
+
 /// The corrected (35) with any amplitude A sin(pi t/T), in Cartesian components, for the paper's ring.
 struct PapersBodyForce {
   double mu, rho, A, T;

@@ -137,6 +137,7 @@ TEST(EvalBoxes, EdgesThatAreMissingOrTooManyAreRefused) {
     EXPECT_NE(found.find(part), found.npos) << found;
   };
   expect(refused(ball, "X,Y,Z,t,HX,HY\n0,0,0,0.1,0.1,0.1\n"), "boxes in three dimensions need HZ");
+  expect(refused(ball, "X,Y,Z,t,NX,NY\n0,0,0,0.1,0,1\n"), "NX: normals in three dimensions need NZ");
   expect(refused(plane, "X,Y,t,HX,HY,HZ\n1,0,0.1,0.1,0.1,0.1\n"), "boxes of a plane scene have HX and HY alone");
   expect(refused(ball, "X,Y,Z,t,HX,HY,HZ\n0,0,0,0.1,1e-9,0.1,0.1\n"), "half edges must be at least");
   expect(refused(ball, "X,Y,Z,t,HX,HY,HZ\n1e8,0,0,0.1,0.1,0.1,0.1\n"), "half edges must be at least");

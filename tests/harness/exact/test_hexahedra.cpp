@@ -240,23 +240,42 @@ TEST(Hexahedra, UniformStressExertsNothingOnDistortedDomains) {
   EXPECT_LT((found[0].b - again[0].b).norm(), of_rounding * wanted.norm());
 }
 
+ExactSolutionPtr yielding(const Vortex3d& motion) {
+  const auto material = builtin_material(
+      assay_builtin_j2_jaumann, {{"E", 1e6}, {"nu", 0.3}, {"yield_stress", 1.5e4}, {"hardening_modulus", 1e5}});
+  const Sheet sheet(*material, motion.baseline(), {.tolerance = 1e-9, .end = now});
+  EXPECT_TRUE(sheet.has_kinks());
+  return exact_meridian(motion, rho, std::make_shared<const Response>(sheet));
+}
+
+/// The motion is smooth at a front of the material: what its inertia is integrated to does not depend on the stress.
+TEST(Hexahedra, TheStressOfAFreeBodyThatYieldsHasNoTotal) {
+  for (Vortex3d motion : {ball(4), ball(2)}) {
+    motion.amplitude.peak = 0.1;
+    const HexahedronAverage average = lattice(motion, 1.0 / 8);
+    const Total with = total_of(average, average.at(*yielding(motion)->slice(now)));
+    const Total without = total_of(average, average.at(*exact_meridian(motion, rho, nullptr)->slice(now)));
+    EXPECT_LT((with.force - without.force).norm(), of_rounding * with.sizes);
+    EXPECT_LT((with.moment - without.moment).norm(), of_rounding * with.sizes_of_moments);
+    EXPECT_GT(std::abs(with.sizes - without.sizes), 1e-2 * with.sizes);
+  }
+}
+
 /// A front of J2 between elastic and plastic points goes through the domains.
 TEST(Hexahedra, FrontsOfAMaterialAreDivided) {
   Vortex3d motion = ball(4);
   motion.amplitude.peak = 0.1;
-  const auto material = builtin_material(
-      assay_builtin_j2_jaumann, {{"E", 1e6}, {"nu", 0.3}, {"yield_stress", 1.5e4}, {"hardening_modulus", 1e5}});
-  const Sheet sheet(*material, motion.baseline(), {.tolerance = 1e-9, .end = now});
-  ASSERT_TRUE(sheet.has_kinks());
-  const auto exact = exact_meridian(motion, rho, std::make_shared<const Response>(sheet));
+  const auto exact = yielding(motion);
   const auto slice = exact->slice(now);
-  ASSERT_TRUE(slice->has_parts());
+  constexpr auto of_stress = ExactSlice::Smooth::stress;
+  ASSERT_TRUE(slice->has_parts(of_stress));
+  EXPECT_FALSE(slice->has_parts(ExactSlice::Smooth::motion));
   std::vector<Vector3> points;
   constexpr double edge = 1.0 / 16;
   for (const Vector3& X : centres(motion, edge)) {
     std::set<std::size_t> parts;
     for (int c = 0; c < 8; ++c)
-      parts.insert(slice->part(X + edge / 2 * Vector3(c % 2 ? 1 : -1, c / 2 % 2 ? 1 : -1, c / 4 ? 1 : -1)));
+      parts.insert(slice->part(X + edge / 2 * Vector3(c % 2 ? 1 : -1, c / 2 % 2 ? 1 : -1, c / 4 ? 1 : -1), of_stress));
     if (parts.size() > 1 && points.size() < 40) points.push_back(X);
   }
   ASSERT_GT(points.size(), 20U);

@@ -65,15 +65,16 @@ TEST(MeridianModels, OfPlasticityFartherThanADifferenceFromItsFronts) {
     const Sheet sheet(*material, motion.baseline(), {.tolerance = 1e-12, .end = t_end});
     const auto exact = exact_meridian(motion, rho, std::make_shared<const Response>(sheet));
     const auto slice = exact->slice(t_end);
-    EXPECT_TRUE(slice->has_parts());
+    EXPECT_TRUE(slice->has_parts(ExactSlice::Smooth::stress));
     Largest b;
     std::vector<Vector3> places = places_in(shape, 4, 4);
     places.erase(places.begin() + 5, places.end());
     for (const Vector3& X : places) {
-      const auto part = slice->part(X);
+      const auto part = slice->part(X, ExactSlice::Smooth::stress);
       bool near = false;
       for (int k = 0; k < 6; ++k)
-        near |= slice->part(X + (k % 2 ? far_from_front : -far_from_front) * Vector3::Unit(k / 2)) != part;
+        near |= slice->part(X + (k % 2 ? far_from_front : -far_from_front) * Vector3::Unit(k / 2),
+                            ExactSlice::Smooth::stress) != part;
       if (near) continue;
       parts.insert(part);
       b.see(slice->at(X).stress.body_force, brute.body_force(X, t_end));

@@ -119,6 +119,32 @@ TEST(Vortex3d, SeveralVorticesTurnEachAboutItsOwnAxis) {
   EXPECT_EQ(motion.largest_xi(), of_first);
 }
 
+TEST(Vortex3d, AFinderPlacesPointsAsTheMotionDoes) {
+  Vortex3d motion;
+  for (int k = 0; k < 60; ++k) {
+    const Vector3 center(k % 4, k / 4 % 4, k / 16);
+    motion.vortices.push_back({.radius = 0.5, .axis = {1, 2, 3.0 + k}, .center = center});
+    if (k % 3 == 1) motion.vortices.back() = torus(0.35, 0.15, 3), motion.vortices.back().center = center;
+    if (k % 3 == 2) motion.vortices.back() = drum(0.4, 2), motion.vortices.back().center = center;
+  }
+  const VortexFinder finder(motion);
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> share(-1, 4);
+  std::size_t inside = 0;
+  for (int k = 0; k < 5000; ++k) {
+    Vector3 X(share(generator), share(generator), share(generator));
+    if (k % 3 == 0)
+      X = motion.vortices[static_cast<std::size_t>(k) % 60].center + Vector3(0.5, 0, 0);  // where two touch
+    const auto wanted = motion.place(X), found = finder.place(X);
+    ASSERT_EQ(found.has_value(), wanted.has_value()) << X.transpose();
+    if (!wanted) continue;
+    ++inside;
+    EXPECT_EQ(found->vortex, wanted->vortex);
+    EXPECT_EQ(found->xi, wanted->xi);
+  }
+  EXPECT_GT(inside, 1000U);
+}
+
 TEST(Vortex3d, OverlapsAreFound) {
   const auto overlap = [](const Revolution& a, const Revolution& b) {
     Vortex3d motion;

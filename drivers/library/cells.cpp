@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Of assay.h: cells, and the means of b over them.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "drivers/library/exact_problem.hpp"
+#include "drivers/library/fields.hpp"
+#include "drivers/text/numbers.hpp"
+#include "harness/exact/hexahedra.hpp"
+
+struct assay_cells {
+  assay::drivers::HandleMark mark = assay::drivers::HandleMark::cells;
+  std::shared_ptr<const assay::drivers::ExactProblem> problem;
+  assay::HexahedronAverage average;
+  std::size_t count;
+};
+
+namespace assay::drivers {
+
+namespace {
+
+using Corners = std::array<Vector3, 8>;
+
+/// In the plane 1 m thick, and nothing changes across it.
+Corners corners_of(const double* corners, int dimension) {
+  Corners found;
+  for (std::size_t k = 0; k < 8; ++k) {
+    if (dimension == 3) {
+      found[k] = {corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]};
+    } else {
+      const double* at = corners + 2 * (k % 4);
+      found[k] = {at[0], at[1], k < 4 ? -0.5 : 0.5};
+    }
+  }
+  return found;
+}
+
+/// Half of the longest and of the shortest edge, of those in the plane where the cell is plane [m].
+struct HalfEdges {
+  double longest = 0, shortest = HUGE_VAL;
+  HalfEdges(const Corners& corners, int dimension) {
+    constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                  {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+    for (int k = 0; k < (dimension == 3 ? 12 : 4); ++k) {
+      const double half =
+          0.5 *
+          (corners[static_cast<std::size_t>(edges[k][0])] - corners[static_cast<std::size_t>(edges[k][1])]).norm();
+      longest = std::max(longest, half), shortest = std::min(shortest, half);
+    }
+  }
+};
+
+[[noreturn]] void refuse_cell(std::size_t cell, const std::string& what) {
+  throw RefusedCall("corners", what, ASSAY_BAD_INPUT, static_cast<std::int64_t>(cell));
+}
+
+/// Throws RefusedCall where b cannot be a difference of what acts on two faces, or the cell is large against the
+/// motion. Gauss points along an edge: two of a cell that is small, which leave some 1e-4 of the largest b.
+int gauss_of_cells(const std::vector<Corners>& cells, const ExactProblem& problem) {
+  constexpr double least = 1e-6;      // of the motion's length, and of the place
+  constexpr double small = 1.0 / 16;  // of the length
+  constexpr int few = 2, most = 24;
+  const double length = problem.solution().motion()->length();
+  double parts = 1;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const HalfEdges half(cells[i], problem.dimension());
+    double far = 0;
+    for (const Vector3& corner : cells[i])
+      far = std::max(far,
+                     problem.dimension() == 3 ? corner.cwiseAbs().maxCoeff() : corner.head<2>().cwiseAbs().maxCoeff());
+    const double bound = least * std::max(std::isinf(length) ? 0 : length, far);
+    if (!(half.shortest >= bound && half.shortest > 0))
+      refuse_cell(i, "half edges must be at least " + rounded_text(bound, 2) + " m here, found " +
+                         rounded_text(half.shortest, 3));
+    parts = std::max(parts, std::ceil(half.longest / (small * length)));
+    if (parts + few - 1 > most)
+      refuse_cell(i, "the cell is too large for a mean: divide it into cells whose edges are not many times " +
+                         rounded_text(length, 3) + " m, over which the motion changes");
+  }
+  return few + static_cast<int>(parts) - 1;
+}
+
+}  // namespace
+
+extern "C" {
+
+ASSAY_API int assay_cells_open(const assay_problem* problem, size_t n, const double* corners, assay_cells** cells,
+                               assay_error* error) {
+  if (cells) *cells = nullptr;
+  return call_of_library(error, [&] {
+    refuse_call_if(!cells, "cells", "must not be null");
+    const auto& shared = known_handle(problem, HandleMark::problem, "problem").shared;
+    refuse_call_if(n > 0 && !corners, "corners", "must not be null");
+    refuse_call_if(n > (size_t{1} << 31), "n", "there are too many cells");
+    const int dimension = shared->dimension();
+    const auto numbers = static_cast<std::size_t>(dimension == 3 ? 24 : 8);
+    std::vector<Corners> all(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      all[i] = corners_of(corners + i * numbers, dimension);
+      for (const Vector3& corner : all[i]) {
+        if (!corner.allFinite()) refuse_cell(i, "must be numbers");
+        if (!shared->holds(corner)) refuse_cell(i, "a corner lies where the motion is not defined");
+      }
+    }
+    const HexahedronRule rule{.gauss = gauss_of_cells(all, *shared)};
+    HexahedronAverage average(Hexahedra(all), shared->density(), rule);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!(average.volume(i) > 0)) refuse_cell(i, "its corners make no volume above 0: they are in another order");
+    }
+    *cells = new assay_cells{HandleMark::cells, shared, std::move(average), n};
+    return ASSAY_DONE;
+  });
+}
+
+ASSAY_API void assay_cells_close(assay_cells* cells) { close_handle(cells, HandleMark::cells); }
+
+ASSAY_API int assay_cells_eval(const assay_cells* cells, double t, const assay_field* b, double* volume,
+                               assay_error* error) {
+  return call_of_library(error, [&] {
+    const assay_cells& known = known_handle(cells, HandleMark::cells, "cells");
+    const auto slice = known.problem->slice(t);
+    if (b && b->data) {
+      const std::vector<DomainForce> forces = known.average.at(*slice);
+      for (std::size_t i = 0; i < known.count; ++i) put_vector(*b, i, forces[i].b, known.problem->dimension());
+    }
+    for (std::size_t i = 0; volume && i < known.count; ++i) volume[i] = known.average.volume(i);
+    return ASSAY_DONE;
+  });
+}
+
+}  // extern "C"
+
+}  // namespace assay::drivers

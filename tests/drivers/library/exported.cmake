@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# cmake -D NM=... -D LIBRARY=... -D HEADER=... -D MOST=BYTES -P exported.cmake: libassay exports the functions of its
+# header in the version of its API, nothing else, and is small.
+execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY} OUTPUT_VARIABLE lines COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[0-9a-f]+ T [^\n]+" functions "${lines}")
+string(REGEX REPLACE "[0-9a-f]+ T ([^@;]+)@@ASSAY_1.0" "\\1" exported "${functions}")
+string(REGEX MATCHALL "[0-9a-f]+ [^TA] [^\n]+" others "${lines}")
+file(READ ${HEADER} header)
+string(REGEX MATCHALL "ASSAY_API [^(;]*assay_[a-z_]+\\(" declared "${header}")
+string(REGEX REPLACE "ASSAY_API [^(;]*(assay_[a-z_]+)\\(" "\\1" declared "${declared}")
+list(SORT exported)
+list(SORT declared)
+if(others)
+  message(FATAL_ERROR "exports what is no function: ${others}")
+elseif(NOT exported STREQUAL declared)
+  message(FATAL_ERROR "exports\n  ${exported}\nand the header declares\n  ${declared}")
+endif()
+file(SIZE ${LIBRARY} bytes)
+list(LENGTH exported count)
+message("${count} functions, ${bytes} bytes")
+if(bytes GREATER MOST)
+  message(FATAL_ERROR "${LIBRARY} has ${bytes} bytes, of ${MOST}")
+endif()

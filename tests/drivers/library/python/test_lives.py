@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Handles of the Python package, threads, and what a call costs.
+
+usage: test_lives.py SOURCE_DIR [--without-numpy] [UNITTEST ARGUMENTS]; PYTHONPATH names the package
+"""
+import ctypes
+import gc
+import os
+import random
+import resource
+import sys
+import threading
+import time
+import unittest
+import weakref
+from pathlib import Path
+
+from support import POINTS, SCENE, listed, needs_numpy, np
+
+import assay
+from assay import _library
+
+CALLS_OVERHEAD = 60e-6  # s: 5 % of what 20,000 points cost at 60 ns each
+
+
+def resource_children():
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+
+
+class Lives(unittest.TestCase):
+    """Handles are closed once, and no process is started."""
+
+    def test_closing(self):
+        with assay.Problem(SCENE) as problem:
+            pts = problem.points(POINTS)
+        with self.assertRaisesRegex(assay.InputError, "closed"):
+            problem.points(POINTS)
+        before = listed(pts(0.3, "b"))  # they keep their problem
+        problem.close()
+        self.assertEqual(listed(pts(0.3, "b")), before)
+        pts.close()
+        with self.assertRaises(assay.InputError):
+            pts(0.3, "b")
+
+    def test_the_last_reference(self):
+        problem = assay.Problem(SCENE)
+        pts = problem.points(POINTS)
+        gone = weakref.ref(problem)
+        del problem
+        gc.collect()
+        self.assertIsNone(gone())
+        self.assertEqual(len(pts(0.3, "b")), 5)
+
+    def test_no_process(self):
+        children = Path(f"/proc/self/task/{os.getpid()}/children")
+        if not children.exists():
+            self.skipTest("no /proc")
+        before = resource_children()
+        pts = assay.Problem(SCENE).points(POINTS)
+        self.assertEqual(children.read_text(), "")
+        pts(0.3, "b")
+        self.assertEqual(children.read_text(), "")
+        self.assertEqual(resource_children(), before)
+
+    def test_threads(self):
+        times = [random.Random(3).uniform(0, 1) for _ in range(64)]
+        pts = assay.Problem(SCENE).points([[0.75 + 0.001 * k, 0.1] for k in range(500)])
+        serial = [listed(pts(t, "b")) for t in times]
+        found = [None] * 64
+
+        def work(thread):
+            for k in random.Random(thread).sample(range(thread, 64, 8), 8):
+                found[k] = listed(pts(times[k], "b"))
+
+        threads = [threading.Thread(target=work, args=(k,)) for k in range(8)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(found, serial)
+
+    @needs_numpy
+    def test_a_call_costs_little(self):
+        n = 20000
+        X = np.random.default_rng(1).uniform(-1.3, 1.3, (n, 2))
+        pts, out = assay.Problem(SCENE).points(X), np.empty((n, 2))
+        view = _library.View(ctypes.sizeof(_library.View))
+        view.b = _library.Field(out.ctypes.data, 2, 1)
+        error = _library.ErrorStruct(ctypes.sizeof(_library.ErrorStruct))
+        times = [[], []]
+        for k in range(60):
+            began = time.perf_counter()
+            pts._eval(pts._handle, 0.3, 0, n, view, error)
+            middle = time.perf_counter()
+            pts(0.3, "b", out=out)
+            times[0].append(middle - began)
+            times[1].append(time.perf_counter() - middle)
+        bare, called = map(min, times)
+        print(f"{n} points: {1e6 * bare:.0f} us in C, {1e6 * called:.0f} us from Python", file=sys.stderr)
+        self.assertLess(called - bare, CALLS_OVERHEAD)
+
+
+if __name__ == "__main__":
+    unittest.main()
