@@ -192,7 +192,7 @@ Act add_eval_arguments(VerbArguments& verb) {
   const auto given = std::make_shared<EvalOptions>();
   add_scene(verb, *given);
   add_value(verb, "--points", given->points, "FILE", "reference points X,Y,t and more: CSV, .npy or .npz")->required();
-  add_value(verb, "--times", given->times, "TIMES", "0,.1,.2 or a file: times for points without t", "*");
+  add_value(verb, "--times", given->times, "TIMES", "0,.1,.2 or a file: times for points without t");
   add_value(verb, "--columns", given->columns, "NAME,...", "only these columns, in this order");
   verb.app.add_flag("--static", given->is_static, "b without inertia, for quasi-static codes");
   add_out(verb, given->out, "FILE", ".csv, .npy, .npz or .vtu (default: standard output)");
