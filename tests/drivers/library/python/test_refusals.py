@@ -16,7 +16,10 @@ from support import POINTS, SCENE, SOURCE, listed
 
 import assay
 
-WRONG = "motion: {type: vortex,\n  inner: wide}\nmaterial: {adapter: neo_hookean, parameters: {E: 1, nu: .3}, density: 1}\n"
+WRONG = """motion: {type: vortex,
+  inner: wide}
+material: {adapter: neo_hookean, parameters: {E: 1, nu: .3}, density: 1}
+"""
 
 
 class Refusals(unittest.TestCase):
