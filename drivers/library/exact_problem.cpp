@@ -19,6 +19,7 @@
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/terminal.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/sha256.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 #include "harness/stability/wave_speed.hpp"
@@ -28,6 +29,14 @@ namespace assay::drivers {
 namespace {
 
 constexpr const char* text_file = "text";  ///< how messages call a scene that is no file
+
+/// Effects of a step are left out (left_out.cpp), and so are their keys.
+Scene scene_without_steps(std::string_view text, const std::string& file, const std::vector<std::string>& sets) {
+  Tree root = scene_tree(text, file);
+  for (const std::string& setting : sets) apply_setting(root, parse_setting(setting));
+  std::erase_if(root.entries, [](const Tree::Entry& entry) { return entry.key == "remedies"; });
+  return scene_of(root, file, sha256_hex(text));
+}
 
 Scene scene_of_options(const assay_options& options) {
   refuse_call_if(!options.scene == !options.text, "options.scene", "give either scene, a path, or text");
@@ -41,10 +50,10 @@ Scene scene_of_options(const assay_options& options) {
     const std::string_view text = options.text;
     refuse_call_if(text.size() > largest_text, "options.text",
                    "is longer than " + std::to_string(largest_text) + " bytes");
-    return scene_from_text(text, text_file, sets);
+    return scene_without_steps(text, text_file, sets);
   }
   refuse_call_if(is_stream(options.scene), "options.scene", "is a stream, which belongs to the host: give its text");
-  return read_scene(options.scene, sets);
+  return scene_without_steps(read_bytes(options.scene), options.scene, sets);
 }
 
 void check_options(const assay_options& options) {

@@ -22,6 +22,7 @@ struct Case {
   double lower, upper;  ///< of each coordinate [m]
   int dimension = 2;
   const char* more = "";
+  friend std::ostream& operator<<(std::ostream& out, const Case& which) { return out << which.name; }
 };
 
 constexpr const char* elastic = "neo_hookean, parameters: {E: 1e3, nu: .3}";

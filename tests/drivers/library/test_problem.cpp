@@ -79,6 +79,14 @@ TEST(Problem, ToldByAPathOrByAText) {
   EXPECT_EQ(problem, nullptr);
 }
 
+TEST(Problem, OfARunTakesWhatASolutionNeedsOfIt) {
+  const std::string run =
+      "grid: {spacing: .1}\nmethod: {basis: cpdi, transfer: flip}\nremedies: {anti_locking: cell}\n"
+      "expect: {error.l2_max: {below: .1}}\n";
+  const Fields found = evaluated(points_at(opened(vortex_text() + run), {.9, .2}, 2), .3, 1).front();
+  EXPECT_EQ(found.b[0], evaluated(points_at(opened(vortex_text()), {.9, .2}, 2), .3, 1).front().b[0]);
+}
+
 TEST(Problem, ABadSceneIsToldWithItsPlace) {
   assay_options options = ASSAY_OPTIONS_INIT;
   options.text = "motion: {type: vortex}\nmaterial:\n  adapter: neo_hookean\n  density: -3\n";
