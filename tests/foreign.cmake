@@ -6,13 +6,15 @@ set(foreign_python ${ASSAY_PYTHON})
 if(EXISTS /usr/bin/python3)
   set(foreign_python /usr/bin/python3)
 endif()
+# FEniCSx keeps what it compiles in XDG_CACHE_HOME.
+set(foreign_environment "${test_environment}" "PYTHONPATH=${PROJECT_BINARY_DIR}/python" PYTHONDONTWRITEBYTECODE=1
+  OMP_NUM_THREADS=1 "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache")
 foreach(code IN ITEMS fenicsx_dynamic fenicsx_static lammps_peri)
   if(foreign_python)
     add_test(NAME foreign/${code} COMMAND ${foreign_python} ${CMAKE_CURRENT_LIST_DIR}/foreign/${code}.py)
   else()
     add_test(NAME foreign/${code} COMMAND ${CMAKE_COMMAND} -E echo "skipped: no python3")
   endif()
-  # FEniCSx keeps what it compiles in XDG_CACHE_HOME.
-  set_tests_properties(foreign/${code} PROPERTIES LABELS "long;foreign" SKIP_REGULAR_EXPRESSION "skipped: " ENVIRONMENT
-    "${test_environment};PYTHONPATH=${PROJECT_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1;OMP_NUM_THREADS=1;XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache")
+  set_tests_properties(foreign/${code} PROPERTIES LABELS "long;foreign" SKIP_REGULAR_EXPRESSION "skipped: "
+    ENVIRONMENT "${foreign_environment}")
 endforeach()

@@ -12,8 +12,8 @@
 namespace assay::adapters {
 
 struct WorkerStart {
-  std::string task;   ///< what it is to do, as the program's `worker` verb reads it
-  std::string build;  ///< of this code: a program of another one refuses the task
+  std::string task;        ///< what it is to do, as the program's `worker` verb reads it
+  std::string build = {};  ///< of this code: a program of another one refuses the task
   WorkerLimits limits = {};
   int columns = -1;  ///< memory to share besides, -1: none
 };

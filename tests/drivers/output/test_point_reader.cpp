@@ -32,7 +32,8 @@ class PointReaderTest : public testing::Test {
     try {
       points(text, times);
     } catch (const InputError& error) {
-      return std::string(error.what()).substr((scratch_ / "").size());
+      const std::string what = error.what(), folder = scratch_ / "";
+      return what.starts_with(folder) ? what.substr(folder.size()) : what;
     }
     return "accepted";
   }

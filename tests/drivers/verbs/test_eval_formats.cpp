@@ -51,7 +51,8 @@ class EvalFormats : public testing::Test {
     std::vector<std::string> names;
     const std::string text = bytes_of(options_.out);
     CsvLines lines(text, options_.out);
-    for (const CsvField& field : *lines.next()) names.push_back(field.text);
+    const auto header = lines.next();
+    for (const CsvField& field : header.value()) names.push_back(field.text);
     table_ = read_csv(text, options_.out, names);
   }
 

@@ -49,12 +49,14 @@ def _place(owner: Any, flags: int) -> Place:
 
 
 def _are_doubles(held: Buffer, strides: Sequence[int]) -> bool:
-    aligned = not (held.address or 0) % 8 and not any(stride % 8 for stride in strides)
+    aligned = not held.len or not (held.address % 8 or any(stride % 8 for stride in strides))
     return aligned and held.format in (b"d", b"=d", b"@d", b"<d")
 
 
 def _flat(values: Any, shape: Tuple[int, ...], into: array) -> Tuple[int, ...]:
     """Appends nested sequences, and returns their shape."""
+    if isinstance(values, str):
+        raise ValueError(f"{values!r} is a text")
     if not hasattr(values, "__len__"):
         into.append(values)
         return shape

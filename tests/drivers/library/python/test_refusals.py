@@ -16,20 +16,22 @@ from support import POINTS, SCENE, SOURCE, listed
 
 import assay
 
+WRONG = "motion: {type: vortex,\n  inner: wide}\nmaterial: {adapter: neo_hookean, parameters: {E: 1, nu: .3}, density: 1}\n"
+
 
 class Refusals(unittest.TestCase):
     """Each kind of error has its class, and says where it is."""
 
     def test_a_scene(self):
         with self.assertRaises(assay.InputError) as caught:
-            assay.Problem(text="motion: {type: vortex,\n  inner: wide}\n")
+            assay.Problem(text=WRONG)
         error = caught.exception
         self.assertEqual((error.code, error.line), (2, 2))
         self.assertIn("inner", error.key)
         self.assertIsInstance(error, ValueError)
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "bad.yaml")
-            Path(path).write_text("motion: {type: vortex,\n  inner: wide}\n")
+            Path(path).write_text(WRONG)
             for ask in (assay.Problem, assay.run):
                 with self.assertRaises(assay.InputError) as caught:
                     ask(path)
@@ -72,9 +74,10 @@ class Refusals(unittest.TestCase):
         pts = ring.points([[1.0, 0.0], [5.0, 0.0]])
         with self.assertRaises(assay.OutsideError) as caught:
             pts(0.1, "b")
-        self.assertEqual(caught.exception.point, 1)
+        self.assertEqual(caught.exception.code, 5)
         b, status = pts(0.1, "b", "status")
         self.assertEqual(listed(status), [0, 5])
+        self.assertTrue(math.isnan(listed(b)[1][0]))
         self.assertEqual(listed(b)[0], listed(ring.points([[1.0, 0.0]])(0.1, "b"))[0])
 
     def test_a_library_of_another_version(self):

@@ -123,7 +123,7 @@ class Values(unittest.TestCase):
         self.assertEqual(len(cells), 1)
         self.assertAlmostEqual(listed(cells.volumes)[0], 1e-4, delta=1e-15)
         for one, other in zip(flat(cells(0.3)), flat(problem.points([[1.005, 0.005]])(0.3, "b"))):
-            self.assertAlmostEqual(one, other, delta=1e-2)  # a mean over 0.01 m of what changes over 0.25 m
+            self.assertAlmostEqual(one, other, delta=5e-2)  # a mean over 0.01 m of what changes over 0.25 m
 
     def test_loads_of_a_patch_add_up_to_the_force_on_it(self):
         side = [-1.5 + 0.25 * k for k in range(13)]
