@@ -98,12 +98,13 @@ ToolEnd run_tool(const ToolCall& call) try {
   const auto start = Clock::now();
   constexpr std::size_t most_said = 1 << 20;
   const adapters::PrintedFile said("assay-tool");
+  const adapters::OpenFile heard(adapters::high_copy(said.number()));  // not where the worker's other files go
   ToolEnd end;
   {
     const adapters::WorkerProcess tool({.task = task_of(call),
                                         .build = build_text(),
                                         .limits = {.seconds = 0, .gigabytes = 0},
-                                        .columns = said.number()});
+                                        .columns = heard.number()});
     for (useconds_t pause = 200; !tool.is_over(); pause = std::min<useconds_t>(2 * pause, 20000)) {
       stop_if_interrupted();
       end.stopped = std::chrono::duration<double>(Clock::now() - start).count() > call.limit_s;

@@ -163,6 +163,16 @@ TEST_F(Workers, TryNativeLibrariesFirst) {
   EXPECT_EQ(code_of(text(built("tests/plugins/frozen_1_0.so")), &words), ASSAY_DONE) << words;
 }
 
+TEST_F(Workers, CompileASource) {
+  if (std::system("command -v gfortran >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no gfortran";
+  const ScratchFolder cache;
+  ::setenv("ASSAY_CACHE_HOME", (cache / "").c_str(), 1);
+  std::string words;
+  EXPECT_EQ(code_of(text(ASSAY_SOURCE_DIR "/tests/downstream/hooke_umat.f", ", parameters: {p1: 1e3, p2: .3}"), &words),
+            ASSAY_DONE)
+      << words;
+}
+
 /// A copy of the library in a folder of its own.
 class Copied {
  public:
