@@ -101,8 +101,10 @@ class FramedSlice final : public ExactSlice {
   FramedSlice(const Frame& frame, std::unique_ptr<const ExactSlice> own, double t)
       : frame_(frame), own_(std::move(own)), t_(t) {}
   ExactPoint at(const Vector3& X) const override {
-    const ExactPoint own = own_->at(frame_.body_point(X));
-    return {frame_.seen(own.state, t_), frame_.seen(own.stress, own.state, t_)};
+    ExactPoint own = own_->at(frame_.body_point(X));
+    const Tensor sigma = own.stress.cauchy;  // of which places have six components
+    own.stress.cauchy = sigma.selfadjointView<Eigen::Upper>();
+    return seen_from(frame_, own, t_);
   }
   ExactState state(const Vector3& X) const override { return frame_.seen(own_->state(frame_.body_point(X)), t_); }
   bool has_parts(Smooth of) const override { return own_->has_parts(of); }
