@@ -186,7 +186,7 @@ TEST(YamlReader, MergeKeysBringWhatAMapLacks) {
   EXPECT_EQ(refused("a: {<<: [{b: 1}, c]}\n"),
             "f:1:18: <<: takes a map, as *name of one with &name, or a list of maps");
   EXPECT_EQ(refused("a: {<<: {b: 1}, <<: {c: 1}}\n"),
-            "f:1:17: <<: duplicate key: several maps are merged by <<: [*a, *b]");
+            "f:1:17: a.<<: duplicate key: several maps are merged by <<: [*a, *b]");
   EXPECT_EQ(read_yaml("a: {'<<': 1}\n", "f").find("a")->entries[0].key, "<<") << "in quotes it is a key as any";
   EXPECT_EQ(read_yaml("x-a: 1\n", set_option).entries.size(), 1u) << "of a whole file alone";
 }

@@ -129,7 +129,7 @@ TEST_F(KeyValues, KeysOfAnItemAreAsStrictAsOthers) {
   EXPECT_EQ(item("strength: 1, pace: fast"), "f:3:25: motion.whirls[1].pace: must be a number or auto, found 'fast'");
   EXPECT_EQ(item("strength: 1, held: 1"),
             "f:3:25: motion.whirls[1].held: must be true or false, found '1': write true");
-  EXPECT_EQ(item("strength: 1, strength: 2"), "f:3:19: motion.whirls[1].strength: duplicate key");
+  EXPECT_EQ(item("strength: 1, strength: 2"), "f:3:19: whirls[1].strength: duplicate key");
 }
 
 TEST_F(KeyValues, AKeyOfAnotherMapIsSentThere) {
