@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Limits, Shortage,
 class KilledFromOutside : public testing::TestWithParam<bool> {};
 
 bool is_of_workers(pid_t process) {
-  return bytes_of("/proc/" + std::to_string(process) + "/cmdline") == std::string("assay\0worker\0", 13);
+  return bytes_of("/proc/" + std::to_string(process) + "/cmdline").starts_with(std::string("assay\0worker\0", 13));
 }
 
 pid_t process_of(const Misdeeds& the, bool worker) {
