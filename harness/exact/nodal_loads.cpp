@@ -68,7 +68,7 @@ std::size_t ElementMesh::nodes_of_element() const {
 }
 
 NodalLoads::NodalLoads(ElementMesh mesh, const ExactSolution& exact, double density, const NodalLoadRule& rule)
-    : mesh_(std::move(mesh)), density_(density), rule_(rule) {
+    : mesh_(std::move(mesh)), exact_(&exact), density_(density), rule_(rule) {
   if (!(density > 0 && std::isfinite(density))) throw MeshFault("the density must be a positive number", "density");
   if (rule_.gauss < 0 || rule_.gauss > NodalLoadRule::most_points)
     throw MeshFault("must be 0 to " + std::to_string(NodalLoadRule::most_points) + " points along each direction",
@@ -157,36 +157,45 @@ void NodalLoads::integrate(const ExactSlice& slice, std::size_t element, std::sp
     }
   };
   constexpr auto of = ExactSlice::Smooth::stress;
-  const int divisions = Dim == 3 ? rule_.divisions / 2 : rule_.divisions;
+  int divisions = Dim == 3 ? rule_.divisions / 2 : rule_.divisions;
+  std::vector<PointLoad> own;  // of points that are registered for this time alone
   if (is_divided(slice, of, map, divisions)) {
-    for_each_gauss_point<Dim>(slice, of, map, gauss_, divisions, {}, [&](const auto& u, double weight) {
-      const ExactPoint now = slice.at(map(u));
-      add(u, weight, now.stress.first_piola_kirchhoff, rule_.quasi_static ? Vector3::Zero() : now.state.a);
-    });
+    std::vector<Vector3> X;
+    for_each_gauss_point<Dim>(slice, of, map, gauss_, divisions, {},
+                              [&](const auto& u, double) { X.push_back(map(u)); });
+    own = loads_at(*exact_->places(X), slice, 0, X.size());
+    loads = own;
   } else {
-    std::size_t k = 0;
-    for_each_gauss_point<Dim>(slice, of, map, gauss_, 0, {}, [&](const auto& u, double weight) {
-      const PointLoad& here = loads[k++];
-      add(u, weight, tensor_of(here.P.data()), Eigen::Map<const Vector3>(here.a.data()));
-    });
+    divisions = 0;
   }
+  std::size_t k = 0;
+  for_each_gauss_point<Dim>(slice, of, map, gauss_, divisions, {}, [&](const auto& u, double weight) {
+    const PointLoad& here = loads[k++];
+    add(u, weight, tensor_of(here.P.data()), Eigen::Map<const Vector3>(here.a.data()));
+  });
+}
+
+std::vector<NodalLoads::PointLoad> NodalLoads::loads_at(const ExactPlaces& places, const ExactSlice& slice,
+                                                        std::size_t first, std::size_t count) const {
+  constexpr std::ptrdiff_t stride = sizeof(PointLoad) / sizeof(double);
+  std::vector<PointLoad> loads(count);
+  FieldViews wanted;
+  wanted.P = {loads.front().P.data(), stride, 1};
+  if (!rule_.quasi_static) wanted.a = {loads.front().a.data(), stride, 1};
+  places.evaluate(slice, first, count, wanted);
+  return loads;
 }
 
 template <int Dim>
 void NodalLoads::integrate_all(const ExactSlice& slice, std::size_t begin, std::size_t end,
                                std::span<Vector3> force) const {
   constexpr std::size_t at_once = 512;  // points
-  constexpr std::ptrdiff_t stride = sizeof(PointLoad) / sizeof(double);
   const std::size_t n = mesh_.nodes_of_element();
   const std::size_t each = gauss_.size() * gauss_.size() * (Dim == 3 ? gauss_.size() : 1);
   const std::size_t some = std::max<std::size_t>(1, at_once / each);
-  std::vector<PointLoad> loads(some * each);
-  FieldViews wanted;
-  wanted.P = {loads.front().P.data(), stride, 1};
-  if (!rule_.quasi_static) wanted.a = {loads.front().a.data(), stride, 1};
   for (std::size_t first = begin; first < end; first += some) {
     const std::size_t last = std::min(first + some, end);
-    places_->evaluate(slice, first * each, (last - first) * each, wanted);
+    const auto loads = loads_at(*places_, slice, first * each, (last - first) * each);
     for (std::size_t e = first; e < last; ++e)
       integrate<Dim>(slice, e, std::span(loads).subspan((e - first) * each, each), force.subspan(e * n, n));
   }

@@ -78,6 +78,9 @@ class NodalLoads {
   void check_elements() const;
   template <int Dim>
   std::vector<Vector3> gauss_points_of_elements() const;
+  /// At places first .. first + count - 1.
+  std::vector<PointLoad> loads_at(const ExactPlaces& places, const ExactSlice& slice, std::size_t first,
+                                  std::size_t count) const;
   template <int Dim>
   void integrate(const ExactSlice& slice, std::size_t element, std::span<const PointLoad> loads,
                  std::span<Vector3> force) const;
@@ -90,6 +93,7 @@ class NodalLoads {
   }
 
   ElementMesh mesh_;
+  const ExactSolution* exact_;
   double density_;
   NodalLoadRule rule_;
   std::vector<GaussPoint> gauss_;
