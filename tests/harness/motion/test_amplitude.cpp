@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace assay::test_amplitude {
@@ -67,6 +68,11 @@ TEST(Amplitude, OneMinusCosineStartsFromRest) {
   const AmplitudeValue start = Amplitude{Amplitude::Type::one_minus_cosine, 1, 1}.at(0);
   EXPECT_EQ(start.value, 0);
   EXPECT_EQ(start.rate, 0);
+}
+
+TEST(Amplitude, APeriodOfTheSmallestNumberHasNoReversals) {
+  const double smallest = std::numeric_limits<double>::denorm_min();
+  EXPECT_TRUE((Amplitude{Amplitude::Type::one_minus_cosine, 0.1, smallest}).reversals(1).empty());
 }
 
 }  // namespace
