@@ -55,7 +55,7 @@ struct Prepared {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGBUS, SIGXFSZ, SIGXCPU}) std::signal(signal, SIG_DFL);
   adapters::send_streams_to(said, said);
   ::fcntl(adapters::memory_file, F_SETFD, FD_CLOEXEC);
-  if (::chdir(call.folder.c_str()) != 0) leave_process(126);
+  if (!call.folder.empty() && ::chdir(call.folder.c_str()) != 0) leave_process(126);
   ::execve(call.program.c_str(), prepared.word_pointers.data(), prepared.environment_pointers.data());
   leave_process(127);
 }
@@ -64,9 +64,9 @@ struct Prepared {
 std::string task_of(const ToolCall& call) {
   std::string task = std::string(tool_task) + "\n";
   const auto add = [&](const std::string& text) { task += std::to_string(text.size()) + ":" + text; };
-  for (const std::string& text : {call.program, absolute_path(call.folder.empty() ? "." : call.folder), call.temporary,
-                                  number_text(call.limit_s)})
-    add(text);
+  std::error_code gone;  // then it stands in the worker's own folder
+  const std::string here = call.folder.empty() ? std::filesystem::current_path(gone).string() : call.folder;
+  for (const std::string& text : {call.program, here, call.temporary, number_text(call.limit_s)}) add(text);
   for (const std::string& argument : call.arguments) add(argument);
   return task;
 }
