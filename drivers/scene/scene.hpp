@@ -101,7 +101,8 @@ struct ForceChoice {
         {.range = {.lower = 4, .upper = 1e6, .whole = true}});
     key("cache", "keep the sheet on disk and reuse it in later runs", cache);
     key("tolerance", "requested relative error of the sheet", tolerance,
-        {.range = {.lower = 1e-14, .upper = coarsest_tolerance}, .derived = "1e-8; 1e-5 for a UMAT, VUMAT or MFront model"});
+        {.range = {.lower = 1e-14, .upper = coarsest_tolerance},
+         .derived = "1e-8; 1e-5 for a UMAT, VUMAT or MFront model"});
   }
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Boxes of bodies in a tree: which pairs may meet, and which bodies may hold a point.
 #define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost's own headers include one
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
