@@ -55,7 +55,7 @@ double error_of(const assay_problem* problem, int n) {
   const auto ask = [&](double t, const assay_view& view) {
     need(assay_eval(points.get(), t, 0, X.size(), &view, &error), error);
   };
-  ask(0, seeds);  // 1. the seeds: x and v at t = 0
+  ask(0, seeds);                             // 1. the seeds: x and v at t = 0
 
   /// Calls act(node, function, its slope) for the four nodes around particle p.
   const auto around = [&](std::size_t p, const auto& act) {
@@ -70,7 +70,7 @@ double error_of(const assay_problem* problem, int n) {
   std::vector<double> masses(momentum.size());
   double largest = 0;
   for (int step = 0; step < steps; ++step) {
-    ask(step * dt, force);  // 2. the force: b at the particles, now
+    ask(step * dt, force);                   // 2. the force: b at the particles, now
     std::fill(momentum.begin(), momentum.end(), Vector{});
     std::fill(impulse.begin(), impulse.end(), Vector{});
     std::fill(masses.begin(), masses.end(), 0.0);
@@ -81,12 +81,12 @@ double error_of(const assay_problem* problem, int n) {
         for (int c = 0; c < 2; ++c) {
           const double inner = h * h / 4 * (P[2 * c] * slope[0] + P[2 * c + 1] * slope[1]);
           momentum[node][c] += mass * N * v[p][c];
-          impulse[node][c] += (step ? dt : dt / 2) * (mass * N * b[p][c] - inner);  // to the middle of the step
+          impulse[node][c] += (step ? dt : dt / 2) * (mass * N * b[p][c] - inner);   // to the middle of the step
         }
       });
     }
     double sum = 0, count = 0;
-    ask((step + 1) * dt, judge);  // 3. the judgement: the exact x
+    ask((step + 1) * dt, judge);             // 3. the judgement: the exact x
     for (std::size_t p = 0; p < X.size(); ++p) {
       around(p, [&](int node, double N, const Vector& slope) {
         for (int c = 0; c < 2; ++c) {

@@ -202,6 +202,7 @@ Problem assemble(const Scene& given, int threads) {
   check_sizes(scene);
   problem.material = material_of(scene, problem.library);
   require_reversible(scene, *problem.material);
+  require_few_periods(scene, *problem.material);
   mpm::Setup<2>& setup = problem.setup;
   setup.method = *scene.method;
   setup.grid = grid_of(scene);

@@ -68,6 +68,9 @@ void check_sizes(const Scene& scene);
 /// Throws InputError where the integrator cannot do with the material's stress.
 void require_reversible(const Scene& scene, const Material& material);
 
+/// Throws InputError where the material's histories would have too many reversals to follow.
+void require_few_periods(const Scene& scene, const Material& material);
+
 /// Throws InputError where memory or particle-steps exceed the scene's limits.
 void check_limits(const Problem& problem);
 

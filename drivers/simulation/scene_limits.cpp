@@ -90,6 +90,15 @@ void require_reversible(const Scene& scene, const Material& material) {
          "symplectic_euler, leapfrog");
 }
 
+void require_few_periods(const Scene& scene, const Material& material) {
+  constexpr double most_periods = 10'000;
+  const bool followed = scene.force.response != ForceChoice::Response::none && !material.is_function_of_F();
+  if (!followed || scene.time.end <= most_periods * scene.motion->period()) return;
+  refuse(scene, "time.end",
+         "histories are followed over at most " + rounded_text(most_periods, 6) +
+             " periods of the motion, whose T is " + rounded_text(scene.motion->period(), 6) + " s");
+}
+
 void check_limits(const Problem& problem) {
   const Scene& scene = problem.scene;
   const double gib = problem.estimated_bytes() / (1024.0 * 1024 * 1024);

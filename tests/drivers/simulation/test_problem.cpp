@@ -50,6 +50,23 @@ TEST(Problem, CountsTheHistoriesOfAShadow) {
   EXPECT_NE(said(many + "limits: {memory_gib: 0.1}\n").find("limits.memory_gib"), std::string::npos);
 }
 
+/// Each reversal is a stop of a history.
+TEST(Problem, RefusesHistoriesOfTooManyPeriods) {
+  const auto said = [](const std::string& material, const std::string& period) {
+    const std::string text = "motion: {type: vortex, amplitude: {peak: 0.1}, period: " + period + "}\nmaterial: {" +
+                             material +
+                             ", density: 1000}\nbody: {domain: ring}\ngrid: {spacing: 0.1}\nmethod: {basis: cpdi}\n"
+                             "force: {response: shadow}\ntime: {step: 0.1, end: 1}\n";
+    return refusal_of([&] { assemble(scene_from_text(text, "f.yaml", {}), 1); });
+  };
+  const std::string viscous = "adapter: zener, parameters: {E: 1e3, relaxation_time: 1}";
+  EXPECT_EQ(said(viscous, "1e-3"), "accepted");
+  for (const char* period : {"1e-7", "1e-100", "5e-324"})
+    EXPECT_NE(said(viscous, period).find("time.end: histories are followed over at most 10000 periods"),
+              std::string::npos)
+        << period;
+}
+
 TEST(Problem, CountsTheHistoriesUnderASheet) {
   const auto said = [](const std::string& model, const std::string& end) {
     const std::string text = "motion: {type: vortex, amplitude: {peak: 0.1}}\n" + model +
