@@ -12,23 +12,34 @@
 namespace assay {
 
 MeridianResponse meridian_response(const ResponseAtTime& response, double xi, double first_front) {
-  Tensor tau, slope;
-  response.at(xi, tau, slope);
-  return meridian_response(response, xi, first_front, tau, slope);
+  return meridian_responses(response, {&xi, 1}, first_front).front();
 }
 
-MeridianResponse meridian_response(const ResponseAtTime& response, double xi, double first_front, const Tensor& tau,
-                                   const Tensor& dtau_dxi) {
+std::vector<MeridianResponse> meridian_responses(const ResponseAtTime& response, std::span<const double> xi,
+                                                 double first_front) {
   constexpr double near_rest = 0.01;  // a mean over so little is exact to rounding
-  MeridianResponse found{Tensor::Zero(), dtau_dxi};
-  if (xi > near_rest || xi >= first_front) {
-    found.tau_by_xi = tau / xi;
-    return found;
+  constexpr unsigned all_nine = (1u << 9) - 1;
+  const std::size_t n = xi.size();
+  std::vector<MeridianResponse> found(n);
+  std::vector<double> tau(9 * n), slopes(9 * n), places;
+  std::vector<std::size_t> near;
+  response.many(xi, all_nine, tau.data(), slopes.data());
+  for (std::size_t i = 0; i < n; ++i) {
+    found[i].dtau_dxi = tensor_at(slopes.data(), n, i);
+    if (xi[i] > near_rest || xi[i] >= first_front) {
+      found[i].tau_by_xi = tensor_at(tau.data(), n, i) / xi[i];
+      continue;
+    }
+    near.push_back(i);
+    for (const GaussPoint& point : gauss_rule<3>()) places.push_back(0.5 * (1 + point.at) * xi[i]);
   }
-  for (const GaussPoint& point : gauss_rule<3>()) {
-    Tensor there, slope;
-    response.at(0.5 * (1 + point.at) * xi, there, slope);
-    found.tau_by_xi += 0.5 * point.weight * slope;
+  if (near.empty()) return found;
+  tau.resize(9 * places.size()), slopes.resize(9 * places.size());
+  response.many(places, all_nine, tau.data(), slopes.data());
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const GaussPoint& point = gauss_rule<3>()[k % gauss_rule<3>().size()];
+    found[near[k / gauss_rule<3>().size()]].tau_by_xi +=
+        0.5 * point.weight * tensor_at(slopes.data(), places.size(), k);
   }
   return found;
 }
@@ -98,13 +109,9 @@ class MeridianSlice final : public ExactSlice {
     if (out.b) put(out.b, acceleration_of(p, g_, Q) + without);
   }
 
-  /// Of n points that lie in a vortex, their tau and slopes.
-  void respond(std::span<const double> xi, std::vector<double>& tau, std::vector<double>& slopes) const {
-    tau.assign(9 * xi.size(), 0), slopes.assign(9 * xi.size(), 0);
-    if (response_) response_->many(xi, (1u << 9) - 1, tau.data(), slopes.data());
-  }
-  MeridianResponse response_at(double xi, const Tensor& tau, const Tensor& slope) const {
-    return response_ ? meridian_response(*response_, xi, first_front_, tau, slope) : MeridianResponse();
+  /// Of n points that lie in a vortex.
+  std::vector<MeridianResponse> responses(std::span<const double> xi) const {
+    return response_ ? meridian_responses(*response_, xi, first_front_) : std::vector<MeridianResponse>(xi.size());
   }
 
   Tensor first_piola_kirchhoff(const Vector3& X) const override {
@@ -166,7 +173,7 @@ class MeridianPlaces final : public ExactPlaces {
   void evaluate(const ExactSlice& slice, std::size_t first, std::size_t count, const FieldViews& out) const override {
     const auto& now = static_cast<const MeridianSlice&>(slice);
     const bool forces_alone = !out.x && !out.v && !out.a && !out.F && !out.P && !out.sigma;
-    std::vector<double> xi, tau, slopes;
+    std::vector<double> xi;
     std::vector<std::size_t> points;
     for (std::size_t begin = first / at_once * at_once; begin < first + count; begin += at_once) {
       xi.clear(), points.clear();
@@ -179,15 +186,13 @@ class MeridianPlaces final : public ExactPlaces {
         }
         xi.push_back(moved_[place_[p]].xi), points.push_back(p);
       }
-      if (out.any_stress()) now.respond(xi, tau, slopes);
+      std::vector<MeridianResponse> responses;
+      if (out.any_stress()) responses = now.responses(xi);
+      responses.resize(points.size());
       for (std::size_t i = 0; i < points.size(); ++i) {
         const MeridianPoint& place = moved_[place_[points[i]]];
-        MeridianResponse response;
-        if (out.any_stress())
-          response =
-              now.response_at(xi[i], tensor_at(tau.data(), xi.size(), i), tensor_at(slopes.data(), xi.size(), i));
-        forces_alone ? now.put_forces(place, response, points[i] - first, out)
-                     : out.put(points[i] - first, now.point_of(place, response));
+        forces_alone ? now.put_forces(place, responses[i], points[i] - first, out)
+                     : out.put(points[i] - first, now.point_of(place, responses[i]));
       }
     }
   }

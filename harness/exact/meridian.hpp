@@ -15,9 +15,9 @@ struct MeridianResponse {
 /// Near rest tau/xi is the mean of the slope, which no error is divided by: up to the first front, where there are any.
 MeridianResponse meridian_response(const ResponseAtTime& response, double xi, double first_front);
 
-/// The same where tau and its slope are known.
-MeridianResponse meridian_response(const ResponseAtTime& response, double xi, double first_front, const Tensor& tau,
-                                   const Tensor& dtau_dxi);
+/// The same of many, in their order.
+std::vector<MeridianResponse> meridian_responses(const ResponseAtTime& response, std::span<const double> xi,
+                                                 double first_front);
 
 /// Along N, E_Theta, M, and so DIV(T) = Q (D_N N + D_Theta E_Theta + D_M M) [N/m^3]. With ' = (d/d xi)_t and k = Grad
 /// h:

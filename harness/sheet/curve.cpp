@@ -57,6 +57,7 @@ Curve::Curve(const Material& material, const Path& path, double end, int n) : am
     for (std::size_t k = 0; k < count; ++k) range_.coefficients[k * 9 + c] = terms[k];
   }
   left_out_ = rest_of(range_.coefficients);
+  range_.leave_out_zeros();
   range_.trim();
 }
 

@@ -35,6 +35,24 @@ void Isochrone::Range::trim() {
   }
 }
 
+void Isochrone::Range::leave_out_zeros() {
+  const std::size_t before = active.size(), rows = coefficients.size() / before;
+  std::vector<std::size_t> kept;
+  for (std::size_t c = 0; c < before; ++c) {
+    bool any = false;
+    for (std::size_t k = 0; k < rows; ++k) any |= coefficients[k * before + c] != 0;
+    if (any) kept.push_back(c);
+  }
+  if (kept.empty()) kept.push_back(0);
+  std::vector<int> components;
+  std::vector<double> terms_of_kept;
+  for (const std::size_t c : kept) components.push_back(active[c]);
+  for (std::size_t k = 0; k < rows; ++k) {
+    for (const std::size_t c : kept) terms_of_kept.push_back(coefficients[k * before + c]);
+  }
+  active = std::move(components), coefficients = std::move(terms_of_kept);
+}
+
 Isochrone::Isochrone(std::vector<Range> ranges, double factor) : ranges_(std::move(ranges)), factor_(factor) {}
 
 const Isochrone::Range& Isochrone::range_of(double parameter) const {

@@ -39,6 +39,8 @@ class Isochrone {
 
     /// Drops what is rounding, notes the end.
     void trim();
+    /// Drops components that are zero everywhere.
+    void leave_out_zeros();
   };
 
   /// Ranges ascending, without gaps. factor: the series is in factor * xi (g(t) where a sheet is a curve in eps).
