@@ -29,7 +29,6 @@ constexpr const char* elastic = "neo_hookean, parameters: {E: 1e3, nu: .3}";
 constexpr const char* plastic =
     "j2_multiplicative, parameters: {E: 1e3, nu: .3, yield_stress: 25, hardening_modulus: 40}";
 constexpr const char* viscous = "zener, parameters: {E: 1e3, nu: .3, viscous_ratio: .5, relaxation_time: .3}";
-constexpr const char* sine = "amplitude: {type: sine, peak: .2}";
 
 const Case cases[] = {
     {"vortex", "type: vortex, amplitude: {type: sine, peak: 1}", elastic, -1.3, 1.3},
