@@ -61,8 +61,9 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
   SceneReader.EveryTrunc* ReportInBrowser* EffectList.Owns* TimeNoise.Noise* ParticlePicture*)
 
 set(shards_of_test_library 2)
-set(left_out_of_test_library # a second copy of the sanitizer; most motions
-  Workers.NeedThe* Workers.AreOf* Workers.OfAnother* SameAs*plastic SameAs*viscous)
+set(left_out_of_test_library # a second copy of the sanitizer; most motions; workers, which start as slowly as programs
+  Workers.NeedThe* Workers.AreOf* Workers.OfA* Workers.That* Workers.Whose* Workers.Try* */SameAs*plastic */SameAs*viscous
+  Points.BeyondTheEnd*)
 
 set(shards_of_test_house 1)
 set(left_out_of_test_house Threads.*)

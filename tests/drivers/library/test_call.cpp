@@ -91,6 +91,7 @@ TEST(Arithmetic, FlushedDenormalsOfTheHostChangeNothingAndStay) {
 TEST(Host, KeepsItsSignalsFolderLocaleAndUmask) {
   std::array<struct sigaction, 32> before{}, after{};
   sigset_t blocked_before, blocked_after;
+  std::memset(&blocked_before, 0, sizeof blocked_before), std::memset(&blocked_after, 0, sizeof blocked_after);
   ::pthread_sigmask(SIG_SETMASK, nullptr, &blocked_before);
   for (int s = 1; s < 32; ++s) ::sigaction(s, nullptr, &before[static_cast<std::size_t>(s)]);
   const auto folder = std::filesystem::current_path();

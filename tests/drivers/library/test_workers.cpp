@@ -107,6 +107,9 @@ TEST_F(Workers, GiveTheFieldsOfTheModel) {
   EXPECT_NEAR(b, evaluated(points_at(own, {.9, .2}, 2), .3, 1).front().b[0], alike * std::abs(b));
 }
 
+/// Of a worker that was killed: at work, or while the library was still tried in it.
+bool tells_of_its_end(int code) { return code == ASSAY_SYSTEM || code == ASSAY_BAD_INPUT; }
+
 TEST_F(Workers, EndWithTheirProblem) {
   {
     const auto problem = opened(text());
@@ -119,7 +122,7 @@ TEST_F(Workers, ThatAreKilledAreACodeAndTheNextProblemIsWhole) {
   std::string words;
   {
     const Meanwhile killer(kill_descendants);
-    EXPECT_EQ(code_of(text(), &words), ASSAY_SYSTEM) << words;
+    EXPECT_TRUE(tells_of_its_end(code_of(text(), &words))) << words;
   }
   EXPECT_NE(words, "");
   EXPECT_EQ(code_of(text(), &words), ASSAY_DONE) << words;
@@ -130,7 +133,7 @@ TEST_F(Workers, OfAHostThatTakesEveryChild) {
   std::string words;
   EXPECT_EQ(code_of(text(), &words), ASSAY_DONE) << words;
   const Meanwhile killer(kill_descendants);
-  EXPECT_EQ(code_of(text(), &words), ASSAY_SYSTEM) << words;
+  EXPECT_TRUE(tells_of_its_end(code_of(text(), &words))) << words;
 }
 
 TEST_F(Workers, OfAHostThatIgnoresItsChildren) {
@@ -139,7 +142,7 @@ TEST_F(Workers, OfAHostThatIgnoresItsChildren) {
   EXPECT_EQ(code_of(text(), &words), ASSAY_DONE) << words;
   {
     const Meanwhile killer(kill_descendants);
-    EXPECT_EQ(code_of(text(), &words), ASSAY_SYSTEM) << words;
+    EXPECT_TRUE(tells_of_its_end(code_of(text(), &words))) << words;
   }
   EXPECT_EQ(std::signal(SIGCHLD, SIG_DFL), SIG_IGN);
 }
