@@ -74,7 +74,7 @@ endif()
 find_program(python python3)
 if(python)
   run(0 "[0-9]+[.][0-9]+[.][0-9]+" ${CMAKE_COMMAND} -E env "PYTHONPATH=${prefix}/lib/python3/dist-packages"
-    ${python} -c "import assay; print(assay.library_version())")
+    ${python} -c "print(__import__('assay').library_version())")
 endif()
 run(1 "find_package.assay REQUIRED. in this CMakeLists.txt" ${configure} -S ${SOURCE_DIR}/no_package -B ${work}/no_package)
 run(1 "rotation.during +FAIL" ${prefix}/bin/assay check --replay
