@@ -123,13 +123,13 @@ class NpyDictionary {
       const std::size_t end = std::min(text_.find_first_not_of("0123456789", at_), text_.size());
       const auto length = parse_integer(text_.substr(at_, end - at_));
       constexpr auto most = std::uint64_t{1} << 56;
-      if (!length || *length < 0 || header_.shape.size() > 8) fail("a shape that is none");
+      if (!length || *length < 0 || header_.shape.size() > 8) fail("a shape that is no list of at most 8 sizes");
       const auto n = static_cast<std::uint64_t>(*length);
       if (n > 0 && all > most / n) fail("a shape of too many numbers");
       all *= n;
       header_.shape.push_back(n);
       at_ = end;
-      if (!takes(',') && !sees(')')) fail("a shape that is none");
+      if (!takes(',') && !sees(')')) fail("a shape that is no list of at most 8 sizes");
     }
   }
 

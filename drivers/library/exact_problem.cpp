@@ -137,7 +137,7 @@ std::shared_ptr<const ExactSlice> ExactProblem::slice(double t) const {
         "t",
         rounded_text(t, 6) + " s is beyond " + rounded_text(last_, 6) + " s, where the response ends: set options.end",
         ASSAY_BEYOND_END);
-  return slices_.at(*solution_, std::min(t, last_));
+  return slices_.at(*solution_, std::min(t + 0.0, last_));  // 0 for -0
 }
 
 bool ExactProblem::holds(const Vector3& X) const { return is_within_motion(scene_, X); }

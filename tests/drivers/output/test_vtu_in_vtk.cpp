@@ -8,19 +8,14 @@
 #include "drivers/output/vtu.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/python.hpp"
 #include "tests/support/vtu_reader.hpp"
 
 namespace assay::drivers::test_vtu_in_vtk {
 namespace {
 
-/// A Python that has VTK; empty where none has. Debian's has Debian's packages, whatever else is called python3.
 const std::string& python_with_vtk() {
-  static const std::string found = [] {
-    for (const std::string one : {"/usr/bin/python3", "python3"}) {
-      if (std::system((one + " -c 'import vtkmodules.vtkIOXML' > /dev/null 2>&1").c_str()) == 0) return one;
-    }
-    return std::string();
-  }();
+  static const std::string found = python_with("vtkmodules.vtkIOXML");
   return found;
 }
 

@@ -10,19 +10,14 @@
 #include "drivers/system/input_error.hpp"
 #include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/python.hpp"
 #include "tests/support/vtu_reader.hpp"
 
 namespace assay::drivers::test_eval_formats {
 namespace {
 
-/// A Python that has NumPy; empty where none has.
 const std::string& python_with_numpy() {
-  static const std::string found = [] {
-    for (const std::string one : {"/usr/bin/python3", "python3"}) {
-      if (std::system((one + " -c 'import numpy' > /dev/null 2>&1").c_str()) == 0) return one;
-    }
-    return std::string();
-  }();
+  static const std::string found = python_with("numpy");
   return found;
 }
 

@@ -34,6 +34,7 @@ class _Handle:
     def __init__(self, close: Callable[[c_void_p], None], handle: c_void_p) -> None:
         self._opened = handle
         self._finalizer = weakref.finalize(self, close, handle)
+        self._finalizer.atexit = False  # a daemon thread may still be in a call of it
 
     @property
     def _handle(self) -> c_void_p:
@@ -127,6 +128,8 @@ class Points(_Handle):
         count = self._n - first if count is None else count
         if not 0 <= first <= self._n or not 0 <= count <= self._n - first:
             raise InputError(f"first, count: {first}, {count} are not within {self._n} points", key="first")
+        if "X" in fields:
+            raise InputError("'X' is no field of points: it is what they were made of", key="fields")
         return _Request(count, self._dimension, fields, out).run(self._eval, self._handle, t, first, count)
 
     def tractions(self, t: float, N: Any, out: Any = None) -> Any:

@@ -25,6 +25,13 @@ material: {adapter: neo_hookean, parameters: {E: 1, nu: .3}, density: 1}
 class Refusals(unittest.TestCase):
     """Each kind of error has its class, and says where it is."""
 
+    def test_a_name_that_is_no_field_of_points(self):
+        points = assay.Problem(SCENE).points(POINTS)
+        for name in ("X", "bb"):
+            with self.assertRaises(assay.InputError) as caught:
+                points(0.1, name)
+            self.assertIn("is no field", str(caught.exception))
+
     def test_a_scene(self):
         with self.assertRaises(assay.InputError) as caught:
             assay.Problem(text=WRONG)
