@@ -187,7 +187,7 @@ void KeptProcess::begin() {
 }
 
 KeptProcess::~KeptProcess() {
-  if (host_ != ::getpid()) return;
+  if (!is_ours()) return;
   if (process_ > 0 && fate().end() == Death::none) end();
   lifeline_.close_out();
   await_end(keeper_);

@@ -65,6 +65,9 @@ class KeptProcess {
   Fate& fate() const { return *static_cast<Fate*>(memory_.data()); }
   const SharedMemory& memory() const { return memory_; }
 
+  /// False in a copy that fork has made of the process which began it: there it can be neither asked nor ended.
+  bool is_ours() const { return host_ == ::getpid(); }
+
   /// Whether it has ended, by now: with its keeper, where that has told nothing.
   bool is_over() const;
   /// Ends the process with its group; the keeper tells it.

@@ -48,6 +48,8 @@ struct RemoteTable : assay_material {
   std::atomic<std::int64_t> hand_overs{0};  ///< to any worker
 
   void keep_marks_of(const WorkerProcess& worker);
+  /// With the guard locked.
+  void leave_workers_of_others();
   /// The slot of that number, started where there is none.
   std::shared_ptr<Slot> slot_number(std::size_t number);
 };

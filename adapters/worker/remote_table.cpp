@@ -17,14 +17,21 @@ void RemoteTable::keep_marks_of(const WorkerProcess& worker) {
   wake_ups += worker.control().wake_ups.load();
 }
 
+/// The workers of a process that has forked this one stay its own.
+void RemoteTable::leave_workers_of_others() {
+  std::erase_if(slots, [](const auto& slot) { return !slot->worker.is_ours(); });
+}
+
 std::shared_ptr<Slot> RemoteTable::slot_number(std::size_t number) {
   const std::lock_guard lock(guard);
+  leave_workers_of_others();
   while (slots.size() <= number) slots.push_back(std::make_shared<Slot>(start));
   return slots[number];
 }
 
 Lease::Lease(RemoteTable& table, std::uint64_t instance) : table_(table) {
   const std::lock_guard lock(table.guard);
+  table.leave_workers_of_others();
   for (const auto& slot : table.slots) {
     if (slot->busy || (slot_ && slot->instances.count(instance) == 0)) continue;
     slot_ = slot;

@@ -46,6 +46,7 @@ class WorkerProcess {
   /// Whether it has ended, of one that is not called. Throws as call() does.
   bool is_over() const;
 
+  bool is_ours() const { return kept_.is_ours(); }
   bool dead() const { return control().end() != Death::none; }
   bool killed() const { return control().was_killed(); }
   /// "died of signal 11 (Segmentation fault)", "did not come back within 20 s", with the last line that it printed.

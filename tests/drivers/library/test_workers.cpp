@@ -107,6 +107,38 @@ TEST_F(Workers, GiveTheFieldsOfTheModel) {
   EXPECT_NEAR(b, evaluated(points_at(own, {.9, .2}, 2), .3, 1).front().b[0], alike * std::abs(b));
 }
 
+/// A copy of the host has workers of its own, whose answers do not mix with the host's. The material is asked at each
+/// time.
+TEST_F(Workers, OfAHostThatForks) {
+  constexpr unsigned patience_s = 60;
+  const auto ask = [](const Owned<assay_points>& points, double t) { return evaluated(points, t, 1).front().P[1]; };
+  const std::string scene =
+      "motion: {type: homogeneous, final: [[1.6, .3, 0], [-.1, .8, 0], [0, 0, 1]]}\n"
+      "material: {adapter: '" ASSAY_SOURCE_DIR "/tests/adapters/foreign/umat_j2.yaml', density: 1000}\n";
+  std::vector<double> expected;
+  for (int k = 0; k < 20; ++k) expected.push_back(ask(points_at(opened(scene), {.9, .2}, 2), .02 * k + .01));
+  auto problem = opened(scene);
+  const auto points = points_at(problem, {.9, .2}, 2);
+  EXPECT_EQ(ask(points, .5), ask(points_at(opened(scene), {.9, .2}, 2), .5));
+  const auto all_are_right = [&] {
+    bool right = true;
+    for (int k = 0; k < 20; ++k) right &= ask(points, .02 * k + .01) == expected[static_cast<std::size_t>(k)];
+    return right;
+  };
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::alarm(patience_s);
+    const bool right = all_are_right();
+    problem = {};
+    ::_exit(right ? 0 : 1);
+  }
+  EXPECT_TRUE(all_are_right());
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+  EXPECT_TRUE(all_are_right());
+}
+
 /// Of a worker that was killed: at work, or while the library was still tried in it.
 bool tells_of_its_end(int code) { return code == ASSAY_SYSTEM || code == ASSAY_BAD_INPUT; }
 
