@@ -106,10 +106,9 @@ void* next_function(const char* name) { return dlsym(RTLD_NEXT, name); }
 const std::string& own_library() {
   static const std::string found = [] {
     Dl_info own{}, program{};
-    const unsigned long heads = ::getauxval(AT_PHDR);  // of the program's own file
-    // NOLINTNEXTLINE(performance-no-int-to-ptr)
-    const bool is_known = dladdr(reinterpret_cast<const void*>(&own_library), &own) != 0 &&
-                          dladdr(reinterpret_cast<const void*>(heads), &program) != 0;
+    const unsigned long heads = ::getauxval(AT_PHDR);         // of the program's own file
+    const void* head = reinterpret_cast<const void*>(heads);  // NOLINT(performance-no-int-to-ptr): the system's number
+    const bool is_known = dladdr(reinterpret_cast<const void*>(&own_library), &own) != 0 && dladdr(head, &program) != 0;
     return is_known && own.dli_fbase != program.dli_fbase ? std::string(own.dli_fname) : std::string();
   }();
   return found;

@@ -58,6 +58,7 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
   *MisbehavingModel*kills_* *MisbehavingModel*calls_xit *MisbehavingModel*traps_* *MisbehavingModel*rounds_*
   *MisbehavingModel*shortens_* *MisbehavingModel*flushes_* *MisbehavingModel*ignores_* *MisbehavingModel*exits
   *MisbehavingModel.*ByARun*closes_output
+  EvalStreams.MemoryDoes* # memory that was freed is kept from use
   SceneReader.EveryTrunc* ReportInBrowser* EffectList.Owns* TimeNoise.Noise* ParticlePicture*)
 
 set(shards_of_test_library 2)

@@ -132,7 +132,7 @@ std::unique_ptr<PointTable> point_table(TableFormat format, const std::string& f
     case TableFormat::npz:
       return std::make_unique<NpzTableFile>(file, std::move(shape));
     case TableFormat::vtu:
-      return vtu_table(file, std::move(shape));
+      return vtu_table(file, shape);
     default:
       return std::make_unique<CsvTableFile>(file, shape);
   }

@@ -40,6 +40,6 @@ class PointTable {
 std::unique_ptr<PointTable> point_table(TableFormat format, const std::string& file, TableShape shape);
 
 /// The last of these.
-std::unique_ptr<PointTable> vtu_table(const std::string& file, TableShape shape);
+std::unique_ptr<PointTable> vtu_table(const std::string& file, const TableShape& shape);
 
 }  // namespace assay::drivers

@@ -36,7 +36,7 @@ std::vector<int> as_vtk_has_it(const PointField& field) {
 
 class VtuTableFiles final : public PointTable {
  public:
-  VtuTableFiles(const std::string& file, TableShape shape)
+  VtuTableFiles(const std::string& file, const TableShape& shape)
       : file_(file), columns_(shape.wanted.columns.size()), t_(column_named(shape.wanted.columns, "t")) {
     const bool several = shape.rows_at.size() > 1;
     const bool is_stream = file.empty() || file == standard_stream || is_standard_output(file);
@@ -123,8 +123,8 @@ class VtuTableFiles final : public PointTable {
 
 }  // namespace
 
-std::unique_ptr<PointTable> vtu_table(const std::string& file, TableShape shape) {
-  return std::make_unique<VtuTableFiles>(file, std::move(shape));
+std::unique_ptr<PointTable> vtu_table(const std::string& file, const TableShape& shape) {
+  return std::make_unique<VtuTableFiles>(file, shape);
 }
 
 }  // namespace assay::drivers

@@ -23,8 +23,8 @@ std::string read_bytes(const std::string& file, std::size_t limit = largest_text
 /// Of a file: time and size tell it from a later one of the same number.
 struct FileState {
   std::uint64_t device = 0, number = 0, size = 0;
-  std::int64_t seconds = 0, nanoseconds = 0;  ///< of the last change
-  auto operator<=>(const FileState&) const = default;
+  std::int64_t seconds = 0, nanoseconds = 0;           ///< of the last change
+  auto operator<=>(const FileState&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm of clang-tidy 14
 };
 
 /// The number of that file, open for reading; of a stream a copy. Throws InputError as read_bytes() does. state: of a

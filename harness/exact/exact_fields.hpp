@@ -192,7 +192,7 @@ ExactSolutionPtr exact_polar(const Motion& motion, double density, std::shared_p
 ExactSolutionPtr exact_meridian(const Vortex3d& motion, double density, std::shared_ptr<const Response> response);
 
 /// Of a motion whose F is the same everywhere, with P at any time [Pa].
-ExactSolutionPtr exact_uniform(const Motion& motion, double density, std::function<Tensor(double t)> P);
+ExactSolutionPtr exact_uniform(const Motion& motion, double density, const std::function<Tensor(double t)>& P);
 
 /// The same with P of a material: by one update where stress is a function of F, else by a history with error control.
 /// path: its baseline; end: last time [s]; tolerance: of a step, relative to the largest stress. Throws

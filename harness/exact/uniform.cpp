@@ -186,7 +186,7 @@ class UniformSolution final : public ExactSolution {
 
 }  // namespace
 
-ExactSolutionPtr exact_uniform(const Motion& motion, double density, std::function<Tensor(double)> P) {
+ExactSolutionPtr exact_uniform(const Motion& motion, double density, const std::function<Tensor(double)>& P) {
   return std::make_shared<const UniformSolution>(motion, density, P, P);
 }
 
