@@ -46,7 +46,7 @@ namespace {
 
 class BoxSlice final : public ExactSlice {
  public:
-  BoxSlice(const BoxModel& model, double t) : model(model), t(t) {}
+  BoxSlice(const BoxModel& of, double time) : model(of), t(time) {}
   ExactPoint at(const Vector3& X) const override {
     PointFields fields;
     places_of_box(model, {X})->evaluate(*this, 0, 1, PointFields::views(&fields));

@@ -24,13 +24,13 @@ constexpr unsigned all_nine = (1u << 9) - 1;
 
 class PolarSlice final : public ExactSlice {
  public:
-  PolarSlice(const ExactSolution& solution, double density, double t)
-      : solution_(solution), density(density), t(t), ring_(solution.motion()->polar()->ring()) {
+  PolarSlice(const ExactSolution& solution, double rho0, double time)
+      : solution_(solution), density(rho0), t(time), ring_(solution.motion()->polar()->ring()) {
     const PolarMotion& polar = *solution.motion()->polar();
-    turn = polar.turn().at(t);
-    if (polar.widens()) widening = polar.widening(t);
+    turn = polar.turn().at(time);
+    if (polar.widens()) widening = polar.widening(time);
     if (!solution.response()) return;
-    response = solution.response()->at_time(t);
+    response = solution.response()->at_time(time);
     fronts_ = response->fronts();
   }
   ExactPoint at(const Vector3& X) const override {

@@ -41,10 +41,12 @@ std::vector<double> Amplitude::reversals(double end) const {
   }
   // g' = 0 at (k + 1/2) T for the sine, at k T/2 for one minus cosine
   const double first = 0.5 * period, spacing = type == Type::sine ? period : 0.5 * period;
-  if (!(spacing > 0)) return times;  // half of the smallest number
-  for (long k = 0; first + static_cast<double>(k) * spacing < end; ++k) {
-    times.push_back(first + static_cast<double>(k) * spacing);
-  }
+  return times_before(end, [&](double k) { return first + k * spacing; });
+}
+
+std::vector<double> times_before(double end, const std::function<double(double k)>& at) {
+  std::vector<double> times;
+  for (double k = 0; at(k) < end && at(k + 1) > at(k); ++k) times.push_back(at(k));
   return times;
 }
 

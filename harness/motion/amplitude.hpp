@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct Amplitude {
   /// Times in (0, end) at which g' changes its sign or jumps: a history may kink there.
   std::vector<double> reversals(double end) const;
 };
+
+/// at(0), at(1), ... before `end`; none where they do not ascend, as multiples of half the smallest number.
+std::vector<double> times_before(double end, const std::function<double(double k)>& at);
 
 void fields(auto& archive, Amplitude& g) { archive(g.type, g.peak, g.period); }
 

@@ -2,9 +2,11 @@
 #include "harness/motion/kinds/rotating_stretch.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "harness/motion/amplitude.hpp"
 #include "harness/motion/registry.hpp"
 #include "harness/numeric/norms.hpp"
 
@@ -90,12 +92,8 @@ Path RotatingStretch::baseline() const {
   };
   // Lambda' = 0 at the multiples of T/2; the ramps begin and end there
   path.reversals = [m = *this](double end) {
-    std::vector<double> times;
-    const bool ends = m.rotate == Rotate::after;  // after T nothing moves
-    for (long k = 1; 0.5 * m.period * static_cast<double>(k) < end && (!ends || k <= 2); ++k) {
-      times.push_back(0.5 * m.period * static_cast<double>(k));
-    }
-    return times;
+    const double last = m.rotate == Rotate::after ? 1.25 * m.period : HUGE_VAL;  // after T nothing moves
+    return times_before(std::min(end, last), [&](double k) { return 0.5 * m.period * (k + 1); });
   };
   path.recipe = recipe("rotating_stretch", *this);
   return path;

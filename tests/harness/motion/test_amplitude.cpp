@@ -73,6 +73,8 @@ TEST(Amplitude, OneMinusCosineStartsFromRest) {
 TEST(Amplitude, APeriodOfTheSmallestNumberHasNoReversals) {
   const double smallest = std::numeric_limits<double>::denorm_min();
   EXPECT_TRUE((Amplitude{Amplitude::Type::one_minus_cosine, 0.1, smallest}).reversals(1).empty());
+  EXPECT_TRUE(times_before(1, [](double) { return 0.5; }).empty());
+  EXPECT_EQ(times_before(1, [](double k) { return 0.3 * (k + 1); }), (std::vector{0.3, 0.6, 0.3 * 3}));
 }
 
 }  // namespace
