@@ -139,8 +139,16 @@ TEST_F(Workers, OfAHostThatForks) {
   EXPECT_TRUE(all_are_right());
 }
 
-/// Of a worker that was killed: at work, or while the library was still tried in it.
-bool tells_of_its_end(int code) { return code == ASSAY_SYSTEM || code == ASSAY_BAD_INPUT; }
+/// What a scene comes to whose workers are killed as often as they start: at work, while the library was still tried in
+/// one, or twice at the same step, which cannot be told from a model that does it to itself.
+::testing::AssertionResult tells_of_their_end(const std::string& text) {
+  std::string words;
+  const int code = code_of(text, &words);
+  const bool killed = words.find("signal 9") != words.npos || words.find("lost with the process") != words.npos;
+  if (code == ASSAY_SYSTEM || code == ASSAY_BAD_INPUT || (code == ASSAY_FINDING && killed))
+    return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << "code " << code << ": " << words;
+}
 
 TEST_F(Workers, EndWithTheirProblem) {
   {
@@ -151,12 +159,11 @@ TEST_F(Workers, EndWithTheirProblem) {
 }
 
 TEST_F(Workers, ThatAreKilledAreACodeAndTheNextProblemIsWhole) {
-  std::string words;
   {
     const Meanwhile killer(kill_descendants);
-    EXPECT_TRUE(tells_of_its_end(code_of(text(), &words))) << words;
+    EXPECT_TRUE(tells_of_their_end(text()));
   }
-  EXPECT_NE(words, "");
+  std::string words;
   EXPECT_EQ(code_of(text(), &words), ASSAY_DONE) << words;
 }
 
@@ -165,7 +172,7 @@ TEST_F(Workers, OfAHostThatTakesEveryChild) {
   std::string words;
   EXPECT_EQ(code_of(text(), &words), ASSAY_DONE) << words;
   const Meanwhile killer(kill_descendants);
-  EXPECT_TRUE(tells_of_its_end(code_of(text(), &words))) << words;
+  EXPECT_TRUE(tells_of_their_end(text()));
 }
 
 TEST_F(Workers, OfAHostThatIgnoresItsChildren) {
@@ -174,7 +181,7 @@ TEST_F(Workers, OfAHostThatIgnoresItsChildren) {
   EXPECT_EQ(code_of(text(), &words), ASSAY_DONE) << words;
   {
     const Meanwhile killer(kill_descendants);
-    EXPECT_TRUE(tells_of_its_end(code_of(text(), &words))) << words;
+    EXPECT_TRUE(tells_of_their_end(text()));
   }
   EXPECT_EQ(std::signal(SIGCHLD, SIG_DFL), SIG_IGN);
 }
