@@ -100,7 +100,7 @@ ASSAY_API int assay_warnings(const assay_problem *problem, char *buffer, size_t 
 ASSAY_API const char *assay_version(void); /* "0.2.0" */
 
 /* A field of n points: component c of point p is data[p * point_stride + c * component_stride]; strides in doubles,
- * of any sign. data null: not wanted. */
+ * of any sign, and not 0 where several numbers are written. data null: not wanted. */
 typedef struct assay_field {
   double *data;
   ptrdiff_t point_stride;

@@ -60,9 +60,7 @@ std::string failure_words(const MaterialFailure& failure) {
 
 bool takes_words(const assay_error* error) { return error->struct_size >= sizeof(assay_error); }
 
-int tell_code(assay_error* error, int code) {
-  return tell_error(error, code, "", code == ASSAY_OUTSIDE ? "points lie where the motion is not defined" : "");
-}
+int tell_code(assay_error* error, int code) { return tell_error(error, code, "", ""); }
 
 int code_of_exception(assay_error* error) {
   try {

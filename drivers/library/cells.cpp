@@ -55,30 +55,34 @@ struct HalfEdges {
   throw RefusedCall("corners", what, ASSAY_BAD_INPUT, static_cast<std::int64_t>(cell));
 }
 
+/// Two Gauss points along an edge of a cell that is small against the motion, which leave some 1e-4 of the largest b.
+HexahedronRule rule_for(const ExactProblem& problem) {
+  constexpr double small = 1.0 / 16;  // half edge, of the motion's length
+  HexahedronRule rule;
+  rule.quasi_static = problem.is_quasi_static();
+  rule.reach = small * problem.solution().motion()->length();
+  rule.directions = problem.dimension();
+  return rule;
+}
+
 /// Throws RefusedCall where b cannot be a difference of what acts on two faces, or the cell is large against the
-/// motion. Gauss points along an edge: two of a cell that is small, which leave some 1e-4 of the largest b.
-int gauss_of_cells(const std::vector<Corners>& cells, const ExactProblem& problem) {
-  constexpr double least = 1e-6;      // of the motion's length, and of the place
-  constexpr double small = 1.0 / 16;  // of the length
-  constexpr int few = 2, most = 24;
+/// motion.
+void require_cells(const std::vector<Corners>& cells, const ExactProblem& problem, const HexahedronRule& rule) {
+  constexpr double least = 1e-6;  // of the motion's length, and of the place
+  constexpr int most = 24;        // Gauss points
   const double length = problem.solution().motion()->length();
-  double parts = 1;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const HalfEdges half(cells[i], problem.dimension());
     double far = 0;
-    for (const Vector3& corner : cells[i])
-      far = std::max(far,
-                     problem.dimension() == 3 ? corner.cwiseAbs().maxCoeff() : corner.head<2>().cwiseAbs().maxCoeff());
+    for (const Vector3& corner : cells[i]) far = std::max(far, corner.head(problem.dimension()).cwiseAbs().maxCoeff());
     const double bound = least * std::max(std::isinf(length) ? 0 : length, far);
     if (!(half.shortest >= bound && half.shortest > 0))
       refuse_cell(i, "half edges must be at least " + rounded_text(bound, 2) + " m here, found " +
                          rounded_text(half.shortest, 3));
-    parts = std::max(parts, std::ceil(half.longest / (small * length)));
-    if (parts + few - 1 > most)
+    if (half.longest > (most - rule.gauss + 1) * rule.reach)
       refuse_cell(i, "the cell is too large for a mean: divide it into cells whose edges are not many times " +
                          rounded_text(length, 3) + " m, over which the motion changes");
   }
-  return few + static_cast<int>(parts) - 1;
 }
 
 }  // namespace
@@ -103,7 +107,8 @@ ASSAY_API int assay_cells_open(const assay_problem* problem, size_t n, const dou
         if (!shared->holds(corner)) refuse_cell(i, "a corner lies where the motion is not defined");
       }
     }
-    const HexahedronRule rule{.gauss = gauss_of_cells(all, *shared), .quasi_static = shared->is_quasi_static()};
+    const HexahedronRule rule = rule_for(*shared);
+    require_cells(all, *shared, rule);
     HexahedronAverage average(Hexahedra(all), shared->density(), rule);
     for (std::size_t i = 0; i < n; ++i) {
       if (!(average.volume(i) > 0)) refuse_cell(i, "its corners make no volume above 0: they are in another order");
@@ -119,6 +124,7 @@ ASSAY_API int assay_cells_eval(const assay_cells* cells, double t, const assay_f
                                assay_error* error) {
   return call_of_library(error, [&] {
     const assay_cells& known = known_handle(cells, HandleMark::cells, "cells");
+    if (b) check_strides(*b, known.count, "b");
     const auto slice = known.problem->slice(t);
     if (b && b->data) {
       const std::vector<DomainForce> forces = known.average.at(*slice);

@@ -23,21 +23,27 @@ void check_components(int components, int dimension) {
 
 Vector3 no_vector() { return Vector3::Constant(std::numeric_limits<double>::quiet_NaN()); }
 
-HostViews::HostViews(const assay_view* out, int dimension, bool quasi_static) {
+void check_strides(const assay_field& field, std::size_t count, const char* name) {
+  refuse_call_if(field.data && (field.component_stride == 0 || (field.point_stride == 0 && count > 1)), name,
+                 "has a stride of 0: all numbers would be written to one place");
+}
+
+HostViews::HostViews(const assay_view* out, std::size_t count, int dimension, bool quasi_static) {
   const assay_view view = known_part(out, sizeof(assay_view), "out");
   refuse_call_if(view.reserved != 0, "out.reserved", "must be 0");
-  const auto of = [](const assay_field& field) {
+  const auto of = [count](const assay_field& field, const char* name) {
+    check_strides(field, count, name);
     return FieldView{field.data, field.point_stride, field.component_stride};
   };
   fields = {static_cast<std::size_t>(dimension),
-            of(view.x),
-            of(view.v),
-            of(view.a),
-            of(view.F),
-            of(view.P),
-            of(view.sigma),
-            of(view.b),
-            of(view.b_static)};
+            of(view.x, "out.x"),
+            of(view.v, "out.v"),
+            of(view.a, "out.a"),
+            of(view.F, "out.F"),
+            of(view.P, "out.P"),
+            of(view.sigma, "out.sigma"),
+            of(view.b, "out.b"),
+            of(view.b_static, "out.b_static")};
   status = view.status;
   if (!quasi_static || !fields.b) return;
   again = fields.static_force;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "drivers/library/assay.h"
@@ -18,6 +19,9 @@ std::vector<Vector3> vectors_of(std::size_t n, int dimension, const assay_const_
 /// Throws RefusedCall where the number of components of given positions is none of the dimension's.
 void check_components(int components, int dimension);
 
+/// Throws RefusedCall where several numbers would be written to one place.
+void check_strides(const assay_field& field, std::size_t count, const char* name);
+
 inline void put_vector(const assay_field& field, std::size_t point, const Vector3& value, int dimension) {
   double* at = field.data + static_cast<std::ptrdiff_t>(point) * field.point_stride;
   for (int d = 0; d < dimension; ++d) at[d * field.component_stride] = value(d);
@@ -27,8 +31,8 @@ Vector3 no_vector();  ///< NaN
 
 /// What a host wants of points, and where.
 struct HostViews {
-  /// quasi_static: b is to be without inertia. Throws RefusedCall.
-  HostViews(const assay_view* out, int dimension, bool quasi_static);
+  /// Of so many points. quasi_static: b is to be without inertia. Throws RefusedCall.
+  HostViews(const assay_view* out, std::size_t count, int dimension, bool quasi_static);
 
   /// Behind the fields of a point.
   void finish(std::size_t point, std::int32_t code = ASSAY_DONE) const {
@@ -43,7 +47,12 @@ struct HostViews {
   std::int32_t* status;
 };
 
-inline int code_of_points(bool all_inside) { return all_inside ? ASSAY_DONE : ASSAY_OUTSIDE; }
+/// Of points that have been filled: the code, or RefusedCall with the first one that lies outside.
+inline int code_of_points(const std::optional<std::size_t>& outside) {
+  if (!outside) return ASSAY_DONE;
+  throw RefusedCall("points", "points lie where the motion is not defined", ASSAY_OUTSIDE,
+                    static_cast<std::int64_t>(*outside));
+}
 
 /// Of a point, what `found()` finds there. A material that fails is a finding at the point.
 template <class Found>

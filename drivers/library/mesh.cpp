@@ -81,6 +81,7 @@ ASSAY_API int assay_nodal_loads(const assay_mesh* mesh, double t, const assay_fi
     const auto slice = known.problem->slice(t);
     refuse_call_if(!force || !force->data, "force", "must not be null");
     const std::vector<Vector3> forces = known.loads.at(*slice);
+    check_strides(*force, forces.size(), "force");
     for (std::size_t i = 0; i < forces.size(); ++i) put_vector(*force, i, forces[i], known.problem->dimension());
     return ASSAY_DONE;
   });

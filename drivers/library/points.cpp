@@ -41,7 +41,7 @@ void put_fields(const assay_points& points, const ExactSlice& slice, std::size_t
 int visit_points(const assay_points& points, double t, std::size_t first, std::size_t count, const auto& inside,
                  const auto& outside) {
   const auto slice = points.problem->slice(t);
-  bool all_inside = true;
+  std::optional<std::size_t> first_outside;
   for (std::size_t k = 0; k < count;) {
     const auto here = points.inside.begin() + static_cast<std::ptrdiff_t>(first + k);
     const auto run = std::find(here, here + static_cast<std::ptrdiff_t>(count - k), 0) - here;
@@ -49,11 +49,11 @@ int visit_points(const assay_points& points, double t, std::size_t first, std::s
       inside(*slice, k, static_cast<std::size_t>(run));
     } else {
       outside(k);
-      all_inside = false;
+      if (!first_outside) first_outside = first + k;
     }
     k += static_cast<std::size_t>(std::max<std::ptrdiff_t>(run, 1));
   }
-  return code_of_points(all_inside);
+  return code_of_points(first_outside);
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ ASSAY_API int assay_eval(const assay_points* points, double t, size_t first, siz
                          assay_error* error) {
   return call_of_library(error, [&] {
     const assay_points& known = known_handle(points, HandleMark::points, "points");
-    const HostViews views(out, known.problem->dimension(), known.problem->is_quasi_static());
+    const HostViews views(out, count, known.problem->dimension(), known.problem->is_quasi_static());
     check_range(known, first, count);
     const auto inside = [&](const ExactSlice& slice, std::size_t k, std::size_t run) {
       put_fields(known, slice, first + k, run, views.fields.from(k));
@@ -102,6 +102,7 @@ ASSAY_API int assay_tractions(const assay_points* points, double t, size_t first
     check_range(known, first, count);
     refuse_call_if(!N, "N", "must not be null");
     refuse_call_if(!traction || (count > 0 && !traction->data), "traction", "must not be null");
+    check_strides(*traction, count, "traction");
     const int dimension = known.problem->dimension();
     const std::vector<Vector3> normals = vectors_of(count, dimension, *N, "N");
     const auto zero = std::ranges::find(normals, Vector3(Vector3::Zero()));
@@ -123,16 +124,17 @@ ASSAY_API int assay_at_current(const assay_problem* problem, double t, size_t n,
                                assay_error* error) {
   return call_of_library(error, [&] {
     const ExactProblem& known = *known_handle(problem, HandleMark::problem, "problem").shared;
-    const HostViews views(out, known.dimension(), known.is_quasi_static());
+    const HostViews views(out, n, known.dimension(), known.is_quasi_static());
     refuse_call_if(!x, "x", "must not be null");
+    if (X) check_strides(*X, n, "X");
     check_components(components, known.dimension());
     const auto slice = known.slice(t);
-    bool all_inside = true;
+    std::optional<std::size_t> first_outside;
     const std::vector<Vector3> places = vectors_of(n, known.dimension(), *x, "x");
     for (std::size_t p = 0; p < n; ++p) {
       const std::optional<Vector3> from = known.solution().reference_of(places[p], t);
       const bool inside = from && known.holds(*from);
-      all_inside &= inside;
+      if (!inside && !first_outside) first_outside = p;
       if (X && X->data) put_vector(*X, p, inside ? *from : no_vector(), known.dimension());
       if (inside) {
         views.fields.put(p, at_point(p, [&] { return slice->at(*from); }));
@@ -141,7 +143,7 @@ ASSAY_API int assay_at_current(const assay_problem* problem, double t, size_t n,
         views.put_outside(p);
       }
     }
-    return code_of_points(all_inside);
+    return code_of_points(first_outside);
   });
 }
 

@@ -85,7 +85,9 @@ std::vector<std::array<Vector3, 8>> boxes_around(std::span<const Vector3> points
 }
 
 HexahedronAverage::HexahedronAverage(Hexahedra domains, double density, const HexahedronRule& rule)
-    : domains_(std::move(domains)), density_(density), rule_(rule), gauss_(gauss_points(rule.gauss)) {
+    : domains_(std::move(domains)), density_(density), rule_(rule) {
+  for (const Hexahedra::Face& face : domains_.faces()) of_face_.push_back(points_along(face));
+  for (const Hexahedra::Domain& domain : domains_.domains()) of_domain_.push_back(points_along(domain.corners));
   const auto& exact = gauss_rule<2>();  // det of a trilinear map is quadratic along each direction
   for (const Hexahedra::Domain& domain : domains_.domains()) {
     const MultilinearMap<3> map = map_of<3>(domains_, domain.corners);
@@ -101,10 +103,29 @@ HexahedronAverage::HexahedronAverage(Hexahedra domains, double density, const He
   }
 }
 
-HexahedronAverage::Flux HexahedronAverage::flux(const ExactSlice& slice, const Hexahedra::Face& face) const {
-  const MultilinearMap<2> map = map_of<2>(domains_, face);
+int HexahedronRule::points_along(double half_edge) const {
+  return gauss + static_cast<int>(std::max(1.0, std::ceil(half_edge / reach))) - 1;
+}
+
+/// Those of a face or a domain. They follow from its own edges, so that its neighbours do not change what acts on it.
+std::uint8_t HexahedronAverage::points_along(std::span<const std::uint32_t> corners) {
+  constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  double longest = 0;
+  for (std::size_t k = 0; k < (corners.size() == 4 ? 4 : 12); ++k) {
+    const auto corner = [&](int end) { return domains_.corners()[corners[static_cast<std::size_t>(edges[k][end])]]; };
+    longest = std::max(longest, (corner(1) - corner(0)).head(rule_.directions).norm());
+  }
+  const int points = rule_.points_along(0.5 * longest);
+  if (gauss_.size() <= static_cast<std::size_t>(points)) gauss_.resize(static_cast<std::size_t>(points) + 1);
+  gauss_[static_cast<std::size_t>(points)] = gauss_points(points);
+  return static_cast<std::uint8_t>(points);
+}
+
+HexahedronAverage::Flux HexahedronAverage::flux(const ExactSlice& slice, std::size_t face) const {
+  const MultilinearMap<2> map = map_of<2>(domains_, domains_.faces()[face]);
   Flux sum;
-  for_each_gauss_point<2>(slice, ExactSlice::Smooth::stress, map, gauss_, rule_.divisions, {},
+  for_each_gauss_point<2>(slice, ExactSlice::Smooth::stress, map, gauss_[of_face_[face]], rule_.divisions, {},
                           [&](const std::array<double, 2>& u, double weight) {
                             const Vector3 X = map(u), normal = weight * map.slope(u, 0).cross(map.slope(u, 1));
                             const Vector3 force = slice.first_piola_kirchhoff(X) * normal;
@@ -114,10 +135,10 @@ HexahedronAverage::Flux HexahedronAverage::flux(const ExactSlice& slice, const H
   return sum;
 }
 
-HexahedronAverage::Flux HexahedronAverage::inertia(const ExactSlice& slice, const Hexahedra::Domain& domain) const {
-  const MultilinearMap<3> map = map_of<3>(domains_, domain.corners);
+HexahedronAverage::Flux HexahedronAverage::inertia(const ExactSlice& slice, std::size_t domain) const {
+  const MultilinearMap<3> map = map_of<3>(domains_, domains_.domains()[domain].corners);
   Flux sum;
-  for_each_gauss_point<3>(slice, ExactSlice::Smooth::motion, map, gauss_, rule_.divisions / 2, {},
+  for_each_gauss_point<3>(slice, ExactSlice::Smooth::motion, map, gauss_[of_domain_[domain]], rule_.divisions / 2, {},
                           [&](const std::array<double, 3>& u, double weight) {
                             const ExactState now = slice.state(map(u));
                             const Vector3 force = density_ * weight * volume_at(map, u) * now.a;
@@ -130,13 +151,13 @@ HexahedronAverage::Flux HexahedronAverage::inertia(const ExactSlice& slice, cons
 std::vector<DomainForce> HexahedronAverage::at(const ExactSlice& slice, const InPieces& pieces) const {
   std::vector<Flux> flux_of(domains_.faces().size());
   pieces(flux_of.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) flux_of[f] = flux(slice, domains_.faces()[f]);
+    for (std::size_t f = begin; f < end; ++f) flux_of[f] = flux(slice, f);
   });
   std::vector<DomainForce> found(domains_.domains().size());
   pieces(found.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const Hexahedra::Domain& domain = domains_.domains()[p];
-      Flux sum = rule_.quasi_static ? Flux() : inertia(slice, domain);
+      Flux sum = rule_.quasi_static ? Flux() : inertia(slice, p);
       for (const Hexahedra::Side& side : domain.sides) {
         sum.force -= side.sign * flux_of[side.face].force;
         sum.moment -= side.sign * flux_of[side.face].moment;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -51,6 +52,11 @@ struct HexahedronRule {
   int gauss = 2;              ///< points along each direction of a piece
   int divisions = 3;          ///< times that a face is halved both ways where it is not smooth; a domain half as often
   bool quasi_static = false;  ///< without inertia
+  /// Half edge up to which that many points do: longer faces and domains have one more for each such length [m].
+  double reach = std::numeric_limits<double>::infinity();
+  int directions = 3;  ///< in which edges are measured for that
+
+  int points_along(double half_edge) const;
 };
 
 /// What acts on a domain.
@@ -74,13 +80,15 @@ class HexahedronAverage {
   struct Flux {
     Vector3 force = Vector3::Zero(), moment = Vector3::Zero();  ///< of T.N dS [N], [N m]
   };
-  Flux flux(const ExactSlice& slice, const Hexahedra::Face& face) const;
-  Flux inertia(const ExactSlice& slice, const Hexahedra::Domain& domain) const;
+  Flux flux(const ExactSlice& slice, std::size_t face) const;
+  Flux inertia(const ExactSlice& slice, std::size_t domain) const;
+  std::uint8_t points_along(std::span<const std::uint32_t> corners);
 
   Hexahedra domains_;
   double density_;
   HexahedronRule rule_;
-  std::vector<GaussPoint> gauss_;
+  std::vector<std::vector<GaussPoint>> gauss_;     ///< of each number of points that is needed
+  std::vector<std::uint8_t> of_face_, of_domain_;  ///< numbers of points
   std::vector<double> volume_;
 };
 

@@ -56,6 +56,18 @@ TEST(Cells, OfALatticeAddUpToTheWhole) {
   EXPECT_NEAR(sum / (side * side), whole[0], 1e3 * alike);
 }
 
+TEST(Cells, MeansDoNotDependOnTheOthers) {
+  const auto problem = opened(vortex_text());
+  const std::vector<double> small = rectangle(.9, .2, .05), large = rectangle(-.6, .2, .4);
+  std::vector<double> both = small;
+  both.insert(both.end(), large.begin(), large.end());
+  double alone[2], together[4];
+  const assay_field of_one{alone, 2, 1}, of_two{together, 2, 1};
+  ASSERT_EQ(assay_cells_eval(cells_of(problem, small, 1).get(), .3, &of_one, nullptr, nullptr), ASSAY_DONE);
+  ASSERT_EQ(assay_cells_eval(cells_of(problem, both, 2).get(), .3, &of_two, nullptr, nullptr), ASSAY_DONE);
+  for (int d = 0; d < 2; ++d) EXPECT_EQ(alone[d], together[d]);
+}
+
 TEST(Cells, ThatTurnTheOtherWayAreRefused) {
   const auto problem = opened(vortex_text());
   cells_of(problem, {.8, .1, .8, .2, .9, .2, .9, .1}, 1, ASSAY_BAD_INPUT);

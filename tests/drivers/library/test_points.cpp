@@ -275,5 +275,18 @@ TEST(Points, TractionsArePTimesTheUnitNormal) {
     EXPECT_NEAR(t[d], .6 * exact.P[3 * d] + .8 * exact.P[3 * d + 1], 1e-12 * std::abs(exact.P[0]) + 1e-12);
 }
 
+TEST(Points, AreNotWrittenToOnePlace) {
+  const auto points = points_at(opened(vortex_text()), {.9, .2, 1, .1}, 2);
+  double b[4];
+  assay_view view = ASSAY_VIEW_INIT;
+  for (const assay_field field : {assay_field{b, 2, 0}, assay_field{b, 0, 1}}) {
+    view.b = field;
+    assay_error error = ASSAY_ERROR_INIT;
+    EXPECT_EQ(assay_eval(points.get(), .3, 0, 2, &view, &error), ASSAY_BAD_INPUT);
+    EXPECT_STREQ(error.key, "out.b");
+  }
+  EXPECT_EQ(assay_eval(points.get(), .3, 0, 1, &view, nullptr), ASSAY_DONE);  // one point needs no stride
+}
+
 }  // namespace
 }  // namespace assay::library_test::test_points

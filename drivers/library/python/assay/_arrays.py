@@ -55,8 +55,8 @@ def _are_doubles(held: Buffer, strides: Sequence[int]) -> bool:
 
 def _flat(values: Any, shape: Tuple[int, ...], into: array) -> Tuple[int, ...]:
     """Appends nested sequences, and returns their shape."""
-    if isinstance(values, str):
-        raise ValueError(f"{values!r} is a text")
+    if isinstance(values, (str, bytes, bool)):
+        raise ValueError(f"{values!r} is no number")
     if not hasattr(values, "__len__"):
         into.append(values)
         return shape
@@ -73,13 +73,24 @@ def contiguous(values: Any, kind: str, key: str) -> Tuple[Any, int, Tuple[int, .
     """Values as C-ordered doubles ("d") or 64-bit integers ("q"): (what keeps them, address, shape)."""
     try:
         if numpy is not None:
-            made = numpy.ascontiguousarray(values, dtype=numpy.float64 if kind == "d" else numpy.int64)
+            found = numpy.asarray(_unmasked(values, key))
+            if found.size and found.dtype.kind not in ("iuf" if kind == "d" else "iu"):
+                raise ValueError(f"its elements are of the type {found.dtype}")
+            made = numpy.ascontiguousarray(found, dtype=numpy.float64 if kind == "d" else numpy.int64)
             return made, made.ctypes.data, made.shape
         made = array(kind)
         shape = _flat(memoryview(values).tolist() if not isinstance(values, (list, tuple)) else values, (), made)
         return made, made.buffer_info()[0], shape
     except (TypeError, ValueError) as error:
-        raise InputError(f"{key}: is no array of numbers: {error}", key=key) from None
+        raise InputError(f"{key}: is no array of {'numbers' if kind == 'd' else 'whole numbers'}: {error}",
+                         key=key) from None
+
+
+def _unmasked(values: Any, key: str) -> Any:
+    """The same; InputError for a masked array, whose memory has numbers where it has none."""
+    if numpy is not None and isinstance(values, numpy.ma.MaskedArray):
+        raise InputError(f"{key}: is a masked array: give its filled() values, or compressed() ones", key=key)
+    return values
 
 
 def given(values: Any, dimension: int, key: str) -> Tuple[Any, int, int, Field]:
@@ -87,7 +98,7 @@ def given(values: Any, dimension: int, key: str) -> Tuple[Any, int, int, Field]:
     keeper: Any = None
     if not isinstance(values, (list, tuple)):
         try:
-            held, shape, strides = _place(values, STRIDES | FORMAT)
+            held, shape, strides = _place(_unmasked(values, key), STRIDES | FORMAT)
             if _are_doubles(held, strides):
                 keeper, address = held, held.address
         except (TypeError, BufferError):
@@ -105,7 +116,7 @@ def given(values: Any, dimension: int, key: str) -> Tuple[Any, int, int, Field]:
 def wanted(out: Any, n: int, shape: Tuple[int, ...], key: str) -> Tuple[Any, Field]:
     """An array that is filled in place: shape (n, ...), (n, components) or flat."""
     try:
-        held, found, strides = _place(out, STRIDES | FORMAT | WRITABLE)
+        held, found, strides = _place(_unmasked(out, key), STRIDES | FORMAT | WRITABLE)
     except (TypeError, BufferError, ValueError) as error:
         raise InputError(f"{key}: cannot be written: {error}", key=key) from None
     if not _are_doubles(held, strides):
@@ -126,7 +137,7 @@ def wanted(out: Any, n: int, shape: Tuple[int, ...], key: str) -> Tuple[Any, Fie
 def integers(out: Any, n: int, key: str) -> Tuple[Any, int]:
     """An array of n 32-bit integers that is filled in place."""
     try:
-        held, found, strides = _place(out, STRIDES | FORMAT | WRITABLE)
+        held, found, strides = _place(_unmasked(out, key), STRIDES | FORMAT | WRITABLE)
     except (TypeError, BufferError, ValueError) as error:
         raise InputError(f"{key}: cannot be written: {error}", key=key) from None
     if held.format not in (b"i", b"=i", b"@i", b"<i") or found != (n,) or (n and strides != (4,)):

@@ -119,10 +119,16 @@ def call(function: Callable[..., int], *arguments: Any, quiet: int = 0) -> int:
     code = function(*arguments, byref(error))
     if code and code != quiet:
         raise KINDS.get(code, Error)(
-            error.message.decode(errors="replace"), file=error.file.decode(errors="replace") or None,
-            line=error.line or None, column=error.column or None, key=error.key.decode(errors="replace") or None,
+            _as_arguments(error.message), file=_as_arguments(error.file) or None, line=error.line or None,
+            column=error.column or None, key=_as_arguments(error.key) or None,
             point=None if error.point < 0 else error.point)
     return code
+
+
+def _as_arguments(words: bytes) -> str:
+    """With the names that Python's arguments have."""
+    found = words.decode(errors="replace")
+    return "sets" + found[5:] if found.startswith("--set") else found.replace("options.", "")
 
 
 def text_of(function: Callable[..., int], handle: c_void_p) -> str:

@@ -10,14 +10,12 @@ import shutil
 import subprocess
 import tempfile
 from contextlib import ExitStack
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence
 
-from . import _arrays
+from . import _arguments, _arrays
+from ._arguments import Path
 from ._errors import KINDS, Error, InputError, SystemFailure
 from ._library import HERE
-
-Path = Union[str, "os.PathLike[str]"]
-
 
 class Result(Dict[str, Any]):
     """A dict whose keys are attributes, too: result.error.l2_max is result["error"]["l2_max"].
@@ -51,6 +49,8 @@ def _call(arguments: Sequence[str], text: Optional[str] = None) -> "subprocess.C
                               errors="replace", check=False)
     except OSError as error:
         raise SystemFailure(f"{_program()}: {error.strerror}") from None
+    except ValueError as error:  # as a NUL in an argument
+        raise InputError(f"assay {arguments[0]}: {error}") from None
     if done.returncode not in (0, 1):
         lines = done.stderr.strip().splitlines() or [f"assay {arguments[0]}: ended with status {done.returncode}"]
         place = re.match(r"(.*?):(\d+)(?::(\d+))?: (?:([\w.\[\]]+): )?", lines[-1])
@@ -90,8 +90,11 @@ def _in_folder(verb: str, scene: Optional[Path], text: Optional[str], sets: Sequ
         if folder is None:
             folder = os.path.join(stack.enter_context(tempfile.TemporaryDirectory(prefix="assay_")), "result")
         changes = [word for change in sets for word in ("--set", change)]
-        file = "-" if scene is None else os.fspath(scene)
-        done = _call([verb, file, *changes, "-o", os.fspath(folder), "--json", "--quiet", *options], text)
+        file = "-" if scene is None else _arguments.operand(scene, "scene")
+        if text is not None:
+            _arguments.text(text, "text")
+        folder = _arguments.operand(folder, "folder")
+        done = _call([verb, file, *changes, "-o", folder, "--json", "--quiet", *options], text)
         result = _parsed(done.stdout)
         result["status"] = done.returncode
         result["tables"] = Result({name[:-4]: _table(os.path.join(folder, name))
@@ -106,8 +109,8 @@ def run(scene: Optional[Path] = None, *, text: Optional[str] = None, sets: Any =
     folder: where its files are kept; None: nowhere. A run that becomes unstable or does not do what its scene expects
     is a result with status 1. Raises InputError, with file, line and column, and SystemFailure.
     """
-    from ._problem import set_texts
-    return _in_folder("run", scene, text, set_texts(sets), folder, ["--threads", str(threads)])
+    words = ["--threads", str(_arguments.whole(threads, "threads"))]
+    return _in_folder("run", scene, text, _arguments.sets(sets), folder, words)
 
 
 def tabulate(scene: Optional[Path] = None, *, text: Optional[str] = None, sets: Any = (),
@@ -117,14 +120,18 @@ def tabulate(scene: Optional[Path] = None, *, text: Optional[str] = None, sets: 
     result.tables.sheet has the columns xi, t [s], gamma, tau11 [Pa] ...; points: rows of (xi, t [s]) at which
     result.tables.points has the same. folder, exceptions: as with run.
     """
-    from ._problem import set_texts
+    changes = _arguments.sets(sets)
     if points is None:
-        return _in_folder("tabulate", scene, text, set_texts(sets), folder, [])
+        return _in_folder("tabulate", scene, text, changes, folder, [])
+    try:
+        rows = [(_arguments.number(xi, "points"), _arguments.number(t, "points")) for xi, t in points]
+    except (TypeError, ValueError) as error:
+        raise error if isinstance(error, InputError) else _arguments.refused("points", "rows of xi and t", points)
     with tempfile.TemporaryDirectory(prefix="assay_") as own:
         file = os.path.join(own, "points.csv")
         with open(file, "w", encoding="utf-8") as out:
-            out.write("xi,t\n" + "".join(f"{float(xi)!r},{float(t)!r}\n" for xi, t in points))
-        return _in_folder("tabulate", scene, text, set_texts(sets), folder, ["--points", file])
+            out.write("xi,t\n" + "".join(f"{xi!r},{t!r}\n" for xi, t in rows))
+        return _in_folder("tabulate", scene, text, changes, folder, ["--points", file])
 
 
 def _option(name: str, value: Any) -> List[str]:
@@ -150,7 +157,8 @@ def check(material: Path, *, folder: Optional[Path] = None, **options: Any) -> R
         if folder is None:
             folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="assay_"))
         words = [word for name, value in options.items() for word in _option(name, value)]
-        done = _call(["check", os.fspath(material), "--json", "-", "-o", os.fspath(folder), "--quiet", *words])
+        words += ["-o", _arguments.operand(folder, "folder")]
+        done = _call(["check", _arguments.operand(material, "material"), "--json", "-", "--quiet", *words])
     result = _parsed(done.stdout)
     result["status"] = done.returncode
     return result

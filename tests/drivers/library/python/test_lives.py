@@ -3,9 +3,11 @@
 
 usage: test_lives.py SOURCE_DIR [--without-numpy] [UNITTEST ARGUMENTS]; PYTHONPATH names the package
 """
+import copy
 import ctypes
 import gc
 import os
+import pickle
 import random
 import resource
 import sys
@@ -79,6 +81,45 @@ class Lives(unittest.TestCase):
             thread.join()
         self.assertEqual(found, serial)
 
+    def test_closing_while_a_thread_is_in_a_call(self):
+        problem = assay.Problem(SCENE)
+        for _ in range(20):
+            pts = problem.points([[0.75 + 0.00002 * k, 0.1] for k in range(20000)])
+            begun, ends = threading.Barrier(5), []
+
+            def ask():
+                begun.wait()
+                try:
+                    while True:
+                        pts(0.3, "b")
+                except assay.InputError as error:
+                    ends.append(str(error))
+
+            threads = [threading.Thread(target=ask) for _ in range(4)]
+            for thread in threads:
+                thread.start()
+            begun.wait()
+            time.sleep(0.005)
+            pts.close()
+            for thread in threads:
+                thread.join()
+            self.assertEqual(ends, ["Points: is closed"] * 4)
+
+    def test_there_is_no_copy(self):
+        problem = assay.Problem(SCENE)
+        for handle in (problem, problem.points(POINTS)):
+            for make in (copy.copy, copy.deepcopy, pickle.dumps):
+                with self.assertRaisesRegex(assay.InputError, "has no copy"):
+                    make(handle)
+
+    def test_what_they_are_is_shown(self):
+        with assay.Problem(SCENE) as problem:
+            pts = problem.points(POINTS)
+            self.assertEqual(repr(problem), "<assay.Problem: 2 dimensions, end 1 s>")
+            self.assertEqual(repr(pts), "<assay.Points: 5 points in 2 dimensions>")
+        self.assertIn("closed", repr(problem))
+        self.assertNotIn("closed", repr(pts))
+
     @needs_numpy
     def test_a_call_costs_little(self):
         n = 20000
@@ -90,7 +131,7 @@ class Lives(unittest.TestCase):
         times = [[], []]
         for k in range(60):
             began = time.perf_counter()
-            pts._eval(pts._handle, 0.3, 0, n, view, error)
+            pts._eval(pts._opened, 0.3, 0, n, view, error)
             middle = time.perf_counter()
             pts(0.3, "b", out=out)
             times[0].append(middle - began)

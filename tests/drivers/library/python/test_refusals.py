@@ -59,6 +59,16 @@ class Refusals(unittest.TestCase):
         with self.assertRaisesRegex(assay.InputError, "needs a list"):
             assay.Problem(SCENE, sets="grid.spacing=1")
 
+    def test_arguments_are_called_as_in_python(self):
+        with self.assertRaises(assay.InputError) as caught:
+            assay.Problem(SCENE, sets={"motion.inner": "wide"})
+        self.assertEqual(caught.exception.file, "sets")
+        self.assertTrue(str(caught.exception).startswith("sets"), caught.exception)
+        with self.assertRaises(assay.InputError) as caught:
+            assay.Problem(SCENE, end=math.inf)
+        self.assertEqual(caught.exception.key, "end")
+        self.assertTrue(str(caught.exception).startswith("end:"), caught.exception)
+
     def test_points(self):
         problem = assay.Problem(SCENE)
         for X in ([[1.0]], [[1.0, 2.0, 3.0, 4.0]], [["a", "b"]], [[1.0, 2.0], [3.0]], 5, "ab", [1.0, 2.0, 3.0]):
@@ -84,7 +94,7 @@ class Refusals(unittest.TestCase):
         pts = ring.points([[1.0, 0.0], [5.0, 0.0]])
         with self.assertRaises(assay.OutsideError) as caught:
             pts(0.1, "b")
-        self.assertEqual(caught.exception.code, 5)
+        self.assertEqual((caught.exception.code, caught.exception.point), (5, 1))
         b, status = pts(0.1, "b", "status")
         self.assertEqual(listed(status), [0, 5])
         self.assertTrue(math.isnan(listed(b)[1][0]))
