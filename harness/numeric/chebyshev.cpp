@@ -61,11 +61,12 @@ std::vector<double> gauss_nodes(int n) {
 }
 
 GaussTransform::GaussTransform(int n) : n_(static_cast<std::size_t>(n)), matrix_(n_ * n_) {
+  std::vector<double> cosines;  // of pi i / 2 n
+  for (int i = 0; i < 4 * n; ++i) cosines.push_back(std::cos(std::numbers::pi * i / (2.0 * n)));
   for (int k = 0; k < n; ++k) {
     for (int j = 0; j < n; ++j) {  // T_k(x_j), x_j = -cos(pi (2 j + 1) / 2 n), the argument reduced in integers
-      const int turns = (k * (2 * (n - 1 - j) + 1)) % (4 * n);
-      matrix_[static_cast<std::size_t>(k * n + j)] =
-          std::cos(std::numbers::pi * turns / (2.0 * n)) * (k == 0 ? 1.0 : 2.0) / n;
+      const auto turns = static_cast<std::size_t>((k * (2 * (n - 1 - j) + 1)) % (4 * n));
+      matrix_[static_cast<std::size_t>(k * n + j)] = cosines[turns] * (k == 0 ? 1.0 : 2.0) / n;
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include "harness/history/history.hpp"
 #include "harness/numeric/chebyshev.hpp"
+#include "harness/numeric/vector_clones.h"
 
 namespace assay {
 
@@ -27,6 +28,11 @@ struct Polynomials {
   }
   std::vector<double> T, T_prime;
 };
+
+/// Adds weight * numbers to n sums.
+ASSAY_VECTOR_CLONES void add(double weight, const double* numbers, std::size_t n, double* __restrict sums) {
+  for (std::size_t i = 0; i < n; ++i) sums[i] += weight * numbers[i];
+}
 
 /// Breaks with every stretch divided into parts, the shortest at its ends: there the motion begins or stops, or a kink
 /// is not far.
@@ -205,29 +211,31 @@ std::size_t BandSeries::stretch_at(double s, double t) const {
   return stretch;
 }
 
-void BandSeries::active_at(double s, double t, std::size_t stretch, std::span<double> tau) const {
-  const double begin = break_at(stretch, s), width = break_at(stretch + 1, s) - begin;
-  const Polynomials x(s, n_x()), time(width > 0 ? std::clamp((t - begin) / width, 0.0, 1.0) : 0.5, n_t());
-  const std::size_t active = active_.size();
-  std::fill(tau.begin(), tau.end(), 0.0);
-  for (std::size_t j = 0; j < n_t(); ++j) {
-    const double* row = block(stretch, j);
-    for (std::size_t k = 0; k < n_x(); ++k) {
-      const double weight = time.T[j] * x.T[k];
-      for (std::size_t c = 0; c < active; ++c) tau[c] += weight * row[k * active + c];
-    }
-  }
+void BandSeries::sum_in_time(std::size_t stretch, const Interval& edges, double t, std::vector<double>& sums) const {
+  const Polynomials time(edges.width() > 0 ? std::clamp((t - edges.lower) / edges.width(), 0.0, 1.0) : 0.5, n_t());
+  sums.assign(n_x() * active_.size(), 0.0);
+  for (std::size_t j = 0; j < n_t(); ++j) add(time.T[j], block(stretch, j), sums.size(), sums.data());
 }
 
-void BandSeries::cut(std::size_t stretch, double t, std::vector<double>& coefficients) const {
-  const double begin = breaks_[stretch * n_x()], width = breaks_[(stretch + 1) * n_x()] - begin;
-  const Polynomials time(width > 0 ? std::clamp((t - begin) / width, 0.0, 1.0) : 0.5, n_t());
-  const std::size_t row_size = n_x() * active_.size();
-  coefficients.assign(row_size, 0.0);
-  for (std::size_t j = 0; j < n_t(); ++j) {
-    const double* row = block(stretch, j);
-    for (std::size_t i = 0; i < row_size; ++i) coefficients[i] += time.T[j] * row[i];
+std::vector<double> BandSeries::cut(const Interval& s, double t) const {
+  const std::size_t stretch = stretch_at(0.5 * (s.lower + s.upper), t), active = active_.size();
+  const auto edges_at = [&](double place) { return Interval{break_at(stretch, place), break_at(stretch + 1, place)}; };
+  std::vector<double> sums;
+  if (!any_moves()) {
+    sum_in_time(stretch, edges_at(0), t, sums);
+    return sums;
   }
+  const std::vector<double> nodes = chebyshev::gauss_nodes(size_.nodes_in_xi);
+  std::vector<double> coefficients(n_x() * active);
+  for (std::size_t node = 0; node < n_x(); ++node) {
+    const double place = s.lower + nodes[node] * s.width();
+    const Polynomials x(place, n_x());
+    sum_in_time(stretch, edges_at(place), t, sums);
+    for (std::size_t k = 0; k < n_x(); ++k) add(x.T[k], &sums[k * active], active, &coefficients[node * active]);
+  }
+  const chebyshev::GaussTransform to_coefficients(size_.nodes_in_xi);
+  for (std::size_t c = 0; c < active; ++c) to_coefficients(&coefficients[c], active);
+  return coefficients;
 }
 
 void BandSeries::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {

@@ -26,15 +26,11 @@ class BandSeries {
   /// tau and (d tau / d xi)_t [Pa].
   void at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const;
 
-  /// Coefficients in s of the tau of one stretch at one time, over all of the band: [k * active + c]. Only where the
-  /// stretch's breaks do not move.
-  void cut(std::size_t stretch, double t, std::vector<double>& coefficients) const;
+  /// Coefficients of the tau at time t over a part of the band in s, of one stretch throughout: [k * active + c].
+  std::vector<double> cut(const Interval& s, double t) const;
 
   /// The stretch at (s, t).
   std::size_t stretch_at(double s, double t) const;
-
-  /// tau alone, active components, in a given stretch.
-  void active_at(double s, double t, std::size_t stretch, std::span<double> tau) const;
 
   /// Break i as a function of s [s], i = 0 .. stretches.
   double break_at(std::size_t i, double s) const;
@@ -64,6 +60,8 @@ class BandSeries {
   void transform();
   void find_tail_of_breaks();
   void find_break_ranges();
+  /// The sum over the nodes in time of a stretch, with these edges at t: [k * active + c].
+  void sum_in_time(std::size_t stretch, const Interval& edges, double t, std::vector<double>& sums) const;
   const double* block(std::size_t stretch, std::size_t j) const {
     return coefficients_.data() + (stretch * n_t() + j) * n_x() * active_.size();  // of zeros there may be none
   }

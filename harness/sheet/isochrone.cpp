@@ -26,7 +26,6 @@ double in_series(double s, const Interval& part) {
 }  // namespace
 
 void Isochrone::Range::trim() {
-  upper = map.xi_of(s.upper);
   double scale = 0;
   for (const double c : coefficients) scale = std::max(scale, std::abs(c));
   terms = 0;
@@ -53,11 +52,31 @@ void Isochrone::Range::leave_out_zeros() {
   active = std::move(components), coefficients = std::move(terms_of_kept);
 }
 
-Isochrone::Isochrone(std::vector<Range> ranges, double factor) : ranges_(std::move(ranges)), factor_(factor) {}
+Isochrone::Isochrone(std::vector<Range> ranges, double factor) : ranges_(std::move(ranges)), factor_(factor) {
+  note_ends();
+}
+
+Isochrone::Isochrone(std::vector<Range> ranges, Fill fill)
+    : ranges_(std::move(ranges)),
+      factor_(1),
+      later_(new Later{std::move(fill), std::make_unique<std::once_flag[]>(ranges_.size())}) {
+  note_ends();
+}
+
+void Isochrone::note_ends() {
+  for (Range& range : ranges_) range.upper = range.map.xi_of(range.s.upper);
+}
 
 const Isochrone::Range& Isochrone::range_of(double parameter) const {
   const auto found =
       std::find_if(ranges_.begin(), ranges_.end() - 1, [&](const Range& range) { return parameter < range.upper; });
+  if (later_) {
+    const auto k = static_cast<std::size_t>(found - ranges_.begin());
+    std::call_once(later_->filled[k], [&] {
+      later_->fill(k, *found);
+      found->trim();
+    });
+  }
   return *found;
 }
 

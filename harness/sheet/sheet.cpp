@@ -37,31 +37,12 @@ std::vector<double> crossings(const BandSeries& table, double t) {
   return places;
 }
 
-void cut_band(const BandSeries& table, double t, std::vector<Isochrone::Range>& ranges) {
-  if (!table.any_moves()) {
-    Isochrone::Range range{table.band().map, {0, 1}, table.active(), {}, 0, 0};
-    table.cut(table.stretch_at(0, t), t, range.coefficients);
-    range.trim();
-    ranges.push_back(std::move(range));
-    return;
-  }
+/// The ranges of a band at a time, without their series.
+void divide_band(const BandSeries& table, double t, std::vector<Isochrone::Range>& ranges) {
   const std::vector<double> places = crossings(table, t);
-  const int n = table.size().nodes_in_xi;
-  const std::size_t active = table.active().size();
-  const std::vector<double> nodes = chebyshev::gauss_nodes(n);
-  const chebyshev::GaussTransform to_coefficients(n);
   for (std::size_t r = 0; r + 1 < places.size(); ++r) {
     const Interval s{places[r], places[r + 1]};
-    if (s.width() < narrowest_range) continue;
-    const std::size_t stretch = table.stretch_at(0.5 * (s.lower + s.upper), t);
-    Isochrone::Range range{table.band().map, s, table.active(), std::vector<double>(active * nodes.size()), 0, 0};
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      table.active_at(s.lower + nodes[k] * s.width(), t, stretch,
-                      std::span(range.coefficients).subspan(k * active, active));
-    }
-    for (std::size_t c = 0; c < active; ++c) to_coefficients(&range.coefficients[c], active);
-    range.trim();
-    ranges.push_back(std::move(range));
+    if (s.width() >= narrowest_range) ranges.push_back({table.band().map, s, table.active(), {}, 0, 0});
   }
 }
 
@@ -73,7 +54,8 @@ bool any_front(const std::vector<BandSeries>& tables) {
 
 }  // namespace
 
-Sheet::Sheet(const Material& material, const Path& path, const SheetOptions& options) : table_(Bands()) {
+Sheet::Sheet(const Material& material, const Path& path, const SheetOptions& options)
+    : table_(std::shared_ptr<const Bands>()) {
   if (material.path_independent() && path.straight()) {
     BuiltCurve built = build_curve(material, path, options);
     table_ = std::move(built.curve);
@@ -82,24 +64,26 @@ Sheet::Sheet(const Material& material, const Path& path, const SheetOptions& opt
   } else {
     BuiltBands built = build_bands(material, path, options);
     kinks_ = built.watch == Telling::state && any_front(built.tables);
-    table_ = std::move(built.tables);
+    table_ = std::make_shared<const Bands>(std::move(built.tables));
     error_ = built.error;
     calls_ = built.calls;
   }
 }
 
-Sheet::Sheet(std::span<const double> in) : table_(Bands()), restored_(true) {
+Sheet::Sheet(std::span<const double> in) : table_(std::shared_ptr<const Bands>()), restored_(true) {
   error_ = {in[0], in[1], in[2], in[3]};
   calls_ = static_cast<std::int64_t>(in[4]);
   kinks_ = in[5] != 0;
   const auto count = static_cast<std::size_t>(in[6]);
   in = in.subspan(7);
-  for (std::size_t k = 0; k < count; ++k) std::get<Bands>(table_).emplace_back(in);
+  Bands tables;
+  for (std::size_t k = 0; k < count; ++k) tables.emplace_back(in);
+  table_ = std::make_shared<const Bands>(std::move(tables));
 }
 
 std::vector<double> Sheet::pack() const {
   if (is_curve()) return {};
-  const auto& tables = std::get<Bands>(table_);
+  const Bands& tables = bands();
   std::vector<double> out{error_.tau,     error_.dtau,        error_.tau_scale,     error_.dtau_scale,
                           double(calls_), kinks_ ? 1.0 : 0.0, double(tables.size())};
   for (const BandSeries& table : tables) table.pack(out);
@@ -108,7 +92,7 @@ std::vector<double> Sheet::pack() const {
 
 void Sheet::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
   if (const auto* curve = std::get_if<Curve>(&table_)) return curve->isochrone(t).at(xi, tau, dtau_dxi);
-  const auto& tables = std::get<Bands>(table_);
+  const Bands& tables = bands();
   const auto found = std::find_if(tables.begin(), tables.end() - 1,
                                   [&](const BandSeries& table) { return xi < table.band().map.xi.upper; });
   found->at(xi, t, tau, dtau_dxi);
@@ -116,15 +100,23 @@ void Sheet::at(double xi, double t, Tensor& tau, Tensor& dtau_dxi) const {
 
 Isochrone Sheet::isochrone(double t) const {
   if (const auto* curve = std::get_if<Curve>(&table_)) return curve->isochrone(t);
+  const auto tables = std::get<std::shared_ptr<const Bands>>(table_);
   std::vector<Isochrone::Range> ranges;
-  for (const BandSeries& table : std::get<Bands>(table_)) cut_band(table, t, ranges);
-  return Isochrone(std::move(ranges));
+  std::vector<std::size_t> band_of;
+  for (std::size_t band = 0; band < tables->size(); ++band) {
+    divide_band((*tables)[band], t, ranges);
+    band_of.resize(ranges.size(), band);
+  }
+  return Isochrone(std::move(ranges),
+                   [tables, band_of = std::move(band_of), t](std::size_t k, Isochrone::Range& range) {
+                     range.coefficients = (*tables)[band_of[k]].cut(range.s, t);
+                   });
 }
 
 std::int64_t Sheet::points() const {
   if (const auto* curve = std::get_if<Curve>(&table_)) return curve->nodes();
   std::int64_t sum = 0;
-  for (const BandSeries& table : std::get<Bands>(table_)) {
+  for (const BandSeries& table : bands()) {
     sum += static_cast<std::int64_t>(table.size().nodes_in_xi) * table.size().nodes_in_t *
            static_cast<std::int64_t>(table.band().stretches());
   }
@@ -134,14 +126,14 @@ std::int64_t Sheet::points() const {
 int Sheet::nodes_in_xi() const {
   if (const auto* curve = std::get_if<Curve>(&table_)) return curve->nodes();
   int sum = 0;
-  for (const BandSeries& table : std::get<Bands>(table_)) sum += table.size().nodes_in_xi;
+  for (const BandSeries& table : bands()) sum += table.size().nodes_in_xi;
   return sum;
 }
 
 int Sheet::nodes_in_t() const {
   int most = 1;
   if (is_curve()) return most;
-  for (const BandSeries& table : std::get<Bands>(table_)) {
+  for (const BandSeries& table : bands()) {
     most = std::max(most, table.size().nodes_in_t * static_cast<int>(table.band().stretches()));
   }
   return most;

@@ -16,6 +16,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <variant>
 #include <vector>
@@ -37,14 +39,19 @@ class Isochrone {
     std::size_t terms = 0;             ///< leading coefficients that matter
     double upper = 0;                  ///< where it ends, in factor * xi
 
-    /// Drops what is rounding, notes the end.
+    /// Leaves out the last terms, which are rounding.
     void trim();
     /// Drops components that are zero everywhere.
     void leave_out_zeros();
   };
 
+  using Fill = std::function<void(std::size_t, Range&)>;
+
   /// Ranges ascending, without gaps. factor: the series is in factor * xi (g(t) where a sheet is a curve in eps).
   explicit Isochrone(std::vector<Range> ranges, double factor = 1);
+  /// Of ranges that have no series yet. fill(k, range): makes that of range k, when a place in it is first asked for,
+  /// by any thread.
+  Isochrone(std::vector<Range> ranges, Fill fill);
 
   /// Nine components of tau and of d tau / d xi at xi [Pa].
   void at(double xi, Tensor& tau, Tensor& dtau_dxi) const;
@@ -66,8 +73,15 @@ class Isochrone {
   /// How many of the next values of xi are of one range, with their places in it.
   std::size_t row_from(std::span<const double> xi, const Range& range, double* x, double* scale) const;
   std::size_t neighbours_from(std::span<const double> xi, const Range& range, double* x) const;
-  std::vector<Range> ranges_;
+  void note_ends();
+
+  struct Later {
+    Fill fill;
+    std::unique_ptr<std::once_flag[]> filled;
+  };
+  mutable std::vector<Range> ranges_;
   double factor_;
+  std::unique_ptr<Later> later_;  ///< null: all ranges have their series
 };
 
 /// Chebyshev in eps = xi g(t).
@@ -144,7 +158,9 @@ class Sheet {
 
  private:
   using Bands = std::vector<BandSeries>;
-  std::variant<Curve, Bands> table_;
+  const Bands& bands() const { return *std::get<std::shared_ptr<const Bands>>(table_); }
+
+  std::variant<Curve, std::shared_ptr<const Bands>> table_;  ///< the bands are shared with isochrones
   SheetError error_;
   std::int64_t calls_ = 0;
   bool restored_ = false, kinks_ = false;
