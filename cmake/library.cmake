@@ -26,5 +26,6 @@ endif()
 set(assay_pc_prefix ${PROJECT_BINARY_DIR})
 set(assay_pc_include ${PROJECT_SOURCE_DIR}/drivers/library)
 set(assay_pc_lib ${PROJECT_BINARY_DIR})
+set(assay_pc_link " -Wl,-rpath,\${libdir}") # the loader does not look into a build folder
 set(assay_pc_fortran ${PROJECT_SOURCE_DIR}/drivers/library/assay.f90)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/assay.pc.in ${PROJECT_BINARY_DIR}/pkgconfig/assay.pc @ONLY)

@@ -19,4 +19,18 @@ else()
   add_test(NAME Library.ExportsItsFunctionsAlone COMMAND ${CMAKE_COMMAND} -D NM=${CMAKE_NM}
     -D LIBRARY=$<TARGET_FILE:assay_library> -D HEADER=${PROJECT_SOURCE_DIR}/drivers/library/assay.h -D MOST=3000000
     -P ${CMAKE_CURRENT_SOURCE_DIR}/drivers/library/exported.cmake)
+
+  # Memory and values of an optimised build, of which the sanitizers see nothing. Foreign models run in other processes.
+  find_program(ASSAY_VALGRIND valgrind)
+  mark_as_advanced(ASSAY_VALGRIND)
+  string(JOIN ":" watched "Cells.*" "Mesh.*" "Structs.*" "DamagedCalls.*" "Points.*" "*ToTheLastBit/vortex_viscous"
+    "*ToTheLastBit/vortex3d_plastic" "*ToTheLastBit/homogeneous" "-Points.BeyondTheEnd*") # minutes
+  if(ASSAY_VALGRIND)
+    add_test(NAME Library.IsCleanUnderValgrind COMMAND ${ASSAY_VALGRIND} -q --error-exitcode=9 --leak-check=full
+      --errors-for-leak-kinds=definite $<TARGET_FILE:test_library> --gtest_filter=${watched})
+  else()
+    add_test(NAME Library.IsCleanUnderValgrind COMMAND ${CMAKE_COMMAND} -E echo "skipped: no valgrind")
+  endif()
+  set_tests_properties(Library.IsCleanUnderValgrind PROPERTIES LABELS long ${test_properties}
+    SKIP_REGULAR_EXPRESSION "skipped: ")
 endif()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/worker/worker_process.hpp"
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <unistd.h>
 
@@ -30,6 +31,7 @@ bool is_program(const fs::path& file) {
 /// Throws std::system_error.
 std::string program_of_library(const fs::path& library) {
   constexpr const char* name = "assay";
+  if (const char* said = std::getenv("ASSAY_PROGRAM"); said && *said) return said;
   std::error_code code;
   const fs::path file = fs::canonical(library, code);
   fs::path above = file.parent_path();
@@ -39,7 +41,6 @@ std::string program_of_library(const fs::path& library) {
     above = above.parent_path();
     if (is_program(above / "bin" / name)) return (above / "bin" / name).string();
   }
-  if (const char* said = std::getenv("ASSAY_PROGRAM"); said && *said) return said;
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
@@ -49,6 +50,17 @@ std::string program_of_library(const fs::path& library) {
                           "the program assay is neither beside " + file.string() +
                               " nor in bin of its installation, nor is it $ASSAY_PROGRAM or in $PATH");
 }
+
+/// What was started serves no worker of this build.
+class WrongProgram : public std::system_error {
+ public:
+  explicit WrongProgram(const std::string& words)
+      : std::system_error(std::make_error_code(std::errc::wrong_protocol_type)), words_(words) {}
+  const char* what() const noexcept override { return words_.c_str(); }
+
+ private:
+  std::string words_;
+};
 
 }  // namespace
 
@@ -71,6 +83,11 @@ pid_t started(const WorkerStart& start, const SharedMemory& memory, int lifeline
   ::posix_spawn_file_actions_init(&files);
   ::posix_spawn_file_actions_adddup2(&files, memory.file(), memory_file);
   ::posix_spawn_file_actions_adddup2(&files, lifeline, lifeline_file);
+  if (!own_library().empty()) {  // a host has words of its own
+    ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    ::posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    ::posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  }
   if (start.columns >= 0) ::posix_spawn_file_actions_adddup2(&files, start.columns, columns_file);
   sigset_t none, all;
   ::sigemptyset(&none);
@@ -118,10 +135,13 @@ bool WorkerProcess::is_dead() const {
 void WorkerProcess::refuse_other_build() const {
   const char* words = static_cast<const char*>(kept_.memory().data()) + kept_.memory().size() - refusal_size;
   const std::string other(words, strnlen(words, refusal_size));
-  if (control().end() != Death::lost || other.empty() || build_.empty()) return;
-  throw std::system_error(
-      std::make_error_code(std::errc::wrong_protocol_type),
-      "'" + worker_program() + "' is assay " + other.substr(0, 200) + ", and the library is " + build_);
+  if (control().end() != Death::lost || build_.empty()) return;
+  const char* named = std::getenv("ASSAY_PROGRAM");
+  const std::string program = "'" + worker_program() + "'" + (named && *named ? ", which ASSAY_PROGRAM names," : "");
+  if (!other.empty())
+    throw WrongProgram(program + " is assay " + other.substr(0, 200) + ", and the library is " + build_);
+  if (control().process.load() == 0)
+    throw WrongProgram(program + " ended before it could serve: it must be the program assay " + build_);
 }
 
 bool WorkerProcess::is_over() const {

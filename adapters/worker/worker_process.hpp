@@ -66,8 +66,8 @@ class WorkerProcess {
   SpinHabit habit_;
 };
 
-/// The program whose `worker` verb is started: this one, or the `assay` beside it. In a library, the one of its build
-/// folder, or that of its installation; $ASSAY_PROGRAM, and what $PATH leads to.
+/// The program whose `worker` verb is started: this one, or the `assay` beside it. In a library $ASSAY_PROGRAM, else
+/// the one of its build folder, that of its installation, or what $PATH leads to.
 std::string worker_program();
 
 /// Asked while a host waits: true lets it give up. Null at first.

@@ -85,20 +85,20 @@ class NpyDictionary {
   void descr() {
     header_.fields.clear();
     if (!takes('[')) {
-      header_.fields.push_back(field(""));
+      header_.fields.push_back(field("", false));
       return;
     }
     while (!takes(']')) {
       expect('(');
       const std::string name = word();
       expect(',');
-      header_.fields.push_back(field(name));
+      header_.fields.push_back(field(name, name.empty()));
       takes(',');
       if (!takes(')')) fail("elements that are no plain numbers");
       takes(',');
     }
   }
-  NpyField field(const std::string& name) {
+  NpyField field(const std::string& name, bool may_be_padding) {
     if (sees('[') || sees('(')) fail("elements that are no plain numbers");
     const std::string type = word();
     const bool order = !type.empty() && std::string_view("<>|=").find(type[0]) != std::string_view::npos;
@@ -106,9 +106,10 @@ class NpyDictionary {
     const std::string kind = type.substr(order ? 1 : 0);
     const auto bytes = kind.empty() ? std::nullopt : parse_integer(std::string_view(kind).substr(1));
     const bool real = bytes && kind[0] == 'f' && (*bytes == 4 || *bytes == 8);
+    const bool padding = may_be_padding && bytes && kind[0] == 'V' && *bytes > 0 && *bytes < (1 << 20);
     const bool whole =
         bytes && (kind[0] == 'i' || kind[0] == 'u') && (*bytes == 1 || *bytes == 2 || *bytes == 4 || *bytes == 8);
-    if (!real && !whole)
+    if (!real && !whole && !padding)
       fail("numbers of the type '" + shown(type, 40) + "': floats of 4 or 8 bytes and whole numbers are read");
     found.kind = kind[0], found.bytes = static_cast<int>(*bytes);
     return found;

@@ -14,7 +14,7 @@ namespace assay::drivers {
 /// One number of an element: of a plain array the only one, without a name.
 struct NpyField {
   std::string name = {};
-  char kind = 'f';  ///< f, i or u
+  char kind = 'f';  ///< f, i or u; V: bytes between the others that mean nothing
   int bytes = 8;
   bool big_endian = false;
 };

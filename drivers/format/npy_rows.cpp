@@ -47,7 +47,8 @@ void NpyRows::add(std::size_t member, const std::string& name, const Groups& gro
   const std::size_t dimensions = header.shape.size();
   if (all - header.size != header.elements() * header.element_bytes())
     refuse("the array " + in_marks(name) + " is cut off, or something follows it");
-  if (dimensions == 0 || dimensions > 2 || (dimensions == 2 && header.fields.size() > 1))
+  if (dimensions == 0 || dimensions > 2 ||
+      (dimensions == 2 && (header.fields.size() > 1 || header.fields[0].kind == 'V')))
     refuse("the array " + in_marks(name) + " has " + std::to_string(dimensions) + " dimensions: one row a point");
   if (!columns_.empty() && header.shape[0] != rows_)
     refuse("the array " + in_marks(name) + " has " + std::to_string(header.shape[0]) + " rows, where another has " +
@@ -57,7 +58,7 @@ void NpyRows::add(std::size_t member, const std::string& name, const Groups& gro
   if (dimensions == 1) {
     parts_.push_back({member, header.size, header.element_bytes()});
     for (const NpyField& field : header.fields) {
-      add_column(field.name.empty() ? name : field.name, {parts_.size() - 1, offset, field});
+      if (field.kind != 'V') add_column(field.name.empty() ? name : field.name, {parts_.size() - 1, offset, field});
       offset += static_cast<std::size_t>(field.bytes);
     }
     return;

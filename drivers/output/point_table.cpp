@@ -121,8 +121,13 @@ TableFormat format_of(const std::string& asked, const std::string& file) {
   if (!asked.empty()) return static_cast<TableFormat>(k);
   const std::string suffix = small_letters(std::filesystem::path(file).extension().string());
   if (suffix == ".pvd") return TableFormat::vtu;
-  const std::size_t by_name = suffix.empty() ? names.size() : index_of(suffix.substr(1), names);
-  return by_name == names.size() ? TableFormat::csv : static_cast<TableFormat>(by_name);
+  if (is_one_of(suffix, {"", ".txt", ".dat"}) || is_stream(file)) return TableFormat::csv;
+  const std::size_t by_name = index_of(suffix.substr(1), names);
+  if (by_name == names.size())
+    throw InputError({}, "-o",
+                     "no table ends in '" + shown(suffix, 40) + "': --format csv writes text into a file of any name",
+                     joined(names));
+  return static_cast<TableFormat>(by_name);
 }
 
 std::unique_ptr<PointTable> point_table(TableFormat format, const std::string& file, TableShape shape) {

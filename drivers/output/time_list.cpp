@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "drivers/format/csv.hpp"
 #include "drivers/format/number_slips.hpp"
 #include "drivers/system/input_error.hpp"
+#include "drivers/system/input_file.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
 #include "drivers/text/words.hpp"
@@ -31,13 +33,13 @@ std::vector<double> times_of_file(const std::string& file) {
   CsvLines lines(text, file);
   auto fields = lines.next();
   if (!fields) throw InputError({file, 0, 0}, "", "holds no time");
-  if (fields->size() > 1 || !time_of(fields->front().text)) return read_csv(text, file, {"t"}).columns.front();
+  if (!time_of(fields->front().text)) return read_csv(text, file, {"t"}).columns.front();
   std::vector<double> times;
   for (; fields; fields = lines.next()) {
-    const CsvField& field = fields->front();
-    if (fields->size() > 1) throw InputError({file, lines.line(), (*fields)[1].column}, "", "one time a line");
-    times.push_back(time_of(field.text).value_or(NAN));
-    require_time(time_of(field.text), field.text, {file, lines.line(), field.column}, "");
+    for (const CsvField& field : *fields) {
+      times.push_back(time_of(field.text).value_or(NAN));
+      require_time(time_of(field.text), field.text, {file, lines.line(), field.column}, "");
+    }
   }
   return times;
 }
@@ -52,6 +54,10 @@ bool names_file_of_times(const std::string& given) {
 std::vector<double> read_times(const std::string& given) {
   std::vector<double> times;
   if (names_file_of_times(given)) {
+    if (!std::filesystem::exists(given) && !is_stream(given))
+      throw InputError(
+          {}, "--times",
+          "'" + shown(given, 40) + "' is neither a list of numbers, as 0,.1,.2, nor a file" + number_remedy(given));
     times = times_of_file(given);
     for (const double t : times) require_time(t, number_text(t), {given, 0, 0}, "t");
     return times;

@@ -10,6 +10,7 @@
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/output_bytes.hpp"
 #include "drivers/system/whole_file.hpp"
+#include "drivers/text/unseen.hpp"
 
 namespace assay::drivers {
 
@@ -42,6 +43,8 @@ class VtuTableFiles final : public PointTable {
     const bool is_stream = file.empty() || file == standard_stream || is_standard_output(file);
     if (several && is_stream)
       throw InputError({}, "--format", "vtu writes a file for each of several times: name the first with -o NAME.vtu");
+    if (!is_stream && std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+      throw InputError({}, "-o", "'" + shown(file, 60) + "' is no regular file, and vtu may write several beside it");
     if (shape.rows_at.size() > most_times)
       throw InputError({}, "-o",
                        "VTU files of " + std::to_string(shape.rows_at.size()) + " times, and " +

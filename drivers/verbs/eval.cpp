@@ -21,6 +21,7 @@
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/progress.hpp"
 #include "drivers/system/terminal.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/verbs/verbs.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 
@@ -127,6 +128,8 @@ void write_table(ExactRows& exact, PointReader& points, PointTable& table, std::
   if (done != rows) throw InputError({options.points, 0, 0}, "", "was changed while it was read");
 }
 
+constexpr double rounding = 1e-9;  ///< of a time that is a sum of steps
+
 /// end: set to the last time, as soon as it is known.
 void evaluate_points(const EvalOptions& options, double& end) {
   Scene scene = read_scene(options.scene, options.sets);
@@ -150,6 +153,9 @@ void evaluate_points(const EvalOptions& options, double& end) {
   shape.rows = looked.points * std::max<std::size_t>(times.size(), 1);
   if (format == TableFormat::vtu) shape.rows_at = std::move(looked.rows_at);
   end = looked.last > 0 ? looked.last : scene.time.end;
+  if (end > scene.time.end * (1 + rounding))
+    warn("the last time, " + rounded_text(end, 6) + " s, is after time.end of the scene, " +
+         rounded_text(scene.time.end, 6) + " s");
   std::string library;
   const auto material = material_of(scene, library);
   refuse_input_as_output(options.out, "-o");

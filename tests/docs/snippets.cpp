@@ -34,11 +34,11 @@ const std::string environment =
     numpy + "unset ASSAY_MATERIAL_PATH ASSAY_LIBRARY ASSAY_PROGRAM CDPATH DESTDIR\nbuilt='" + built() +
     "'\n"
     "PATH=$built:$PATH ASSAY_DATA_HOME=$PWD/data ASSAY_CACHE_HOME=$PWD/cache HOME=$PWD\n"
-    "PYTHONPATH=$built/python PKG_CONFIG_PATH=$built/pkgconfig LD_LIBRARY_PATH=$built PYTHONDONTWRITEBYTECODE=1\n"
+    "PYTHONPATH=$built/python PKG_CONFIG_PATH=$built/pkgconfig PYTHONDONTWRITEBYTECODE=1\n"
     "CMAKE_GENERATOR='" ASSAY_CMAKE_GENERATOR
     "' LC_ALL=C\n"
     "export PATH ASSAY_DATA_HOME ASSAY_CACHE_HOME HOME CMAKE_GENERATOR LC_ALL\n"
-    "export PYTHONPATH PKG_CONFIG_PATH LD_LIBRARY_PATH PYTHONDONTWRITEBYTECODE\n";
+    "export PYTHONPATH PKG_CONFIG_PATH PYTHONDONTWRITEBYTECODE\n";
 
 void write(const fs::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);

@@ -105,6 +105,17 @@ TEST_F(NpyRowsTest, OfAPlainArrayInBothOrders) {
   EXPECT_EQ(names_, (std::vector<std::string>{"t", "Y"}));
 }
 
+/// As NumPy aligns the fields of its arrays.
+TEST_F(NpyRowsTest, LeaveOutPadding) {
+  const std::string four = "1234", type = "{'descr': [('X', '<f8'), ('', '|V4'), ('Y', '<f8')], ";
+  EXPECT_EQ(rows(npy(type + "'fortran_order': False, 'shape': (1,)}", doubles({1}) + four + doubles({2}))),
+            (std::vector<std::vector<double>>{{1, 2}}));
+  EXPECT_THROW(rows(npy("{'descr': '|V8', 'fortran_order': False, 'shape': (1,)}", doubles({1}))), InputError);
+  EXPECT_THROW(rows(npy("{'descr': [('', '|V8')], 'fortran_order': False, 'shape': (1,)}", doubles({1}))), InputError);
+  EXPECT_THROW(rows(npy("{'descr': [('', '|V8')], 'fortran_order': False, 'shape': (1, 2)}", doubles({1, 2}))),
+               InputError);
+}
+
 /// More rows than are held at a time.
 TEST_F(NpyRowsTest, OfMoreThanOnePiece) {
   std::vector<double> values(2 * 10'000);

@@ -256,6 +256,25 @@ TEST_F(Workers, AreOfTheProgramThatIsNamed) {
   EXPECT_EQ(copied.code_of_foreign(words), ASSAY_DONE) << words;
 }
 
+/// What is no assay is named, and not what it was to compile or to run; nothing of its words reaches the host's.
+TEST_F(Workers, OfAProgramThatIsNoneAreRefused) {
+  const ScratchFolder scratch;
+  const std::string loud = scratch.write("loud", "#!/bin/sh\necho words >&2\necho words\nexit 1\n");
+  fs::permissions(loud, fs::perms::owner_all);
+  for (const std::string& program : {std::string("/bin/false"), loud, std::string("/nowhere/assay")}) {
+    ::setenv("ASSAY_PROGRAM", program.c_str(), 1);
+    for (const std::string& scene : {text(), text(ASSAY_SOURCE_DIR "/tests/downstream/hooke_umat.f")}) {
+      std::string words;
+      testing::internal::CaptureStderr();
+      testing::internal::CaptureStdout();
+      EXPECT_EQ(code_of(scene, &words), ASSAY_SYSTEM);
+      EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
+      EXPECT_NE(words.find(program), words.npos) << words;
+      EXPECT_EQ(words.find("gfortran"), words.npos) << words;
+    }
+  }
+}
+
 TEST_F(Workers, OfAnotherBuildAreRefused) {
   const Copied copied;
   const std::string program =

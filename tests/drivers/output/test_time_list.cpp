@@ -34,6 +34,7 @@ TEST(TimeList, OfFiles) {
   const ScratchFolder scratch;
   EXPECT_EQ(read_times(scratch.write("a", "# s\n0\n.5\r\n1e0")), (Times{0, .5, 1}));
   EXPECT_EQ(read_times(scratch.write("b.csv", "t\n0\n2\n")), (Times{0, 2}));
+  EXPECT_EQ(read_times(scratch.write("list", "0,.5, 1\n2\n")), (Times{0, .5, 1, 2}));
   const auto said = [&](const std::string& text) {
     const std::string name = scratch.write("c", text);
     const std::string what = refusal(name);
@@ -42,10 +43,10 @@ TEST(TimeList, OfFiles) {
   };
   EXPECT_TRUE(said("0\nx\n").starts_with(":2:1: 'x' is no finite number"));
   EXPECT_TRUE(said("0\n-1\n").starts_with(":2:1: negative"));
-  EXPECT_TRUE(said("0\n1,2\n").starts_with(":2:3: one time a line"));
+  EXPECT_TRUE(said("0\n1,x\n").starts_with(":2:3: 'x' is no finite number"));
   EXPECT_TRUE(said("t\n-1\n").starts_with(": t: negative"));
   EXPECT_TRUE(said("").starts_with(": holds no time"));
-  EXPECT_TRUE(refusal(scratch / "missing").find("cannot be read") != std::string::npos);
+  EXPECT_TRUE(refusal(scratch / "missing").find("neither a list of numbers") != std::string::npos);
 }
 
 }  // namespace

@@ -64,6 +64,33 @@ TEST_F(EvalStreams, StandardInputAndOutputAreFiles) {
   EXPECT_EQ(times.said, "--times: the points have a column t: leave out the column or the option\n");
 }
 
+/// Names that say nothing of the format, of the times, or are no place for several files.
+TEST_F(EvalStreams, NamesThatCannotBeMeantAreRefused) {
+  const std::string points = scratch_.write("points.csv", "X,Y\n1,0\n");
+  const std::size_t before = files() + 1;  // the input
+  for (const auto& [words, message] :
+       {std::pair{std::vector<std::string>{"--times", "0", "-o", "exact.xyz"}, "-o: no table ends in '.xyz'"},
+        {{"--times", "nan", "-o", "exact.csv"}, "--times: 'nan' is neither a list of numbers"},
+        {{"--times", "1d0", "-o", "exact.csv"}, "--times: '1d0' is neither a list of numbers"},
+        {{"--times", "0,x", "-o", "exact.csv"}, "--times: 'x' is no finite number"},
+        {{"--times", "0", "-o", "/dev/null", "--format", "vtu"}, "-o: '/dev/null' is no regular file"}}) {
+    std::vector<std::string> all{"--points", points};
+    all.insert(all.end(), words.begin(), words.end());
+    const Ending ending = with_input(all, "");
+    EXPECT_EQ(ending.status, 2);
+    EXPECT_TRUE(ending.said.starts_with(message)) << ending.said;
+    EXPECT_EQ(files(), before);
+  }
+  EXPECT_EQ(with_input({"--points", points, "--times", "0", "-o", "exact.dat"}, "").status, 0);
+}
+
+TEST_F(EvalStreams, TimesAfterTheEndOfTheSceneAreToldOf) {
+  const std::string points = scratch_.write("points.csv", "X,Y\n1,0\n");
+  EXPECT_EQ(with_input({"--points", points, "--times", "0,1", "-o", "a.csv"}, "").said, "");
+  EXPECT_EQ(with_input({"--points", points, "--times", "0,3", "-o", "b.csv"}, "").said,
+            "warning: the last time, 3 s, is after time.end of the scene, 1 s\n");
+}
+
 /// The last row is wrong: nothing is written before it is seen.
 TEST_F(EvalStreams, BadInputIsRefusedBeforeAnythingIsWritten) {
   const std::string text = many_points(20'000);
