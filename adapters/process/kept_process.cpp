@@ -215,10 +215,12 @@ bool KeptProcess::keeper_is_gone() const {
   return ::poll(&over, 1, 0) > 0;
 }
 
-/// A call has taken so long that the keeper should have ended it.
+/// A call has taken so long that the keeper should have ended it, or no process has begun: perhaps the keeper is
+/// another program.
 bool KeptProcess::keeper_is_stuck() const {
-  constexpr double grace_s = 5;
+  constexpr double grace_s = 5, patience_s = 60;
   const std::int64_t since = fate().busy_since.load();
+  if (fate().process.load() == 0) return 1e-9 * static_cast<double>(now_ns() - made_ns_) > patience_s;
   return time_limit_ > 0 && since != 0 && 1e-9 * static_cast<double>(now_ns() - since) > time_limit_ + grace_s;
 }
 

@@ -28,6 +28,7 @@
 
 #include "adapters/process/fate.hpp"
 #include "adapters/process/private_files.hpp"
+#include "harness/material/progress_mark.hpp"
 
 namespace assay::adapters {
 
@@ -89,6 +90,7 @@ class KeptProcess {
   OpenFile keeper_file_;  ///< stands for it, whoever waits for the children of this process; negative: an old kernel
   pid_t process_ = 0;     ///< as it was at first: the model can write into the page
   double time_limit_;
+  std::int64_t made_ns_ = now_ns();
   bool ends_when_stopped_ = false;
 };
 

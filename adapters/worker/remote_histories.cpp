@@ -37,6 +37,7 @@ std::vector<double> answer_of(Instance& instance, Slot& slot, const std::vector<
   if (instance.call_in(slot, Operation::history, task.size(), in, out, dead)) return answer;
   MaterialFailure failure(one_line_of(instance.reason.c_str()), xi, step ? step->t + step->dt : 0, step);
   failure.final = true;
+  failure.late = slot.worker.control().end() == Death::time_limit;
   if (slot.worker.killed() && !(step && ends_worker(instance, *step))) note_killed_worker();
   throw failure;
 }

@@ -121,13 +121,17 @@ TableFormat format_of(const std::string& asked, const std::string& file) {
   if (!asked.empty()) return static_cast<TableFormat>(k);
   const std::string suffix = small_letters(std::filesystem::path(file).extension().string());
   if (suffix == ".pvd") return TableFormat::vtu;
-  if (is_one_of(suffix, {"", ".txt", ".dat"}) || is_stream(file)) return TableFormat::csv;
-  const std::size_t by_name = index_of(suffix.substr(1), names);
-  if (by_name == names.size())
-    throw InputError({}, "-o",
-                     "no table ends in '" + shown(suffix, 40) + "': --format csv writes text into a file of any name",
-                     joined(names));
-  return static_cast<TableFormat>(by_name);
+  const std::size_t by_name = suffix.empty() ? names.size() : index_of(suffix.substr(1), names);
+  return by_name == names.size() ? TableFormat::csv : static_cast<TableFormat>(by_name);
+}
+
+void require_table_name(const std::string& asked, const std::string& file) {
+  const std::string suffix = small_letters(std::filesystem::path(file).extension().string());
+  if (!asked.empty() || is_stream(file) || is_one_of(suffix, {"", ".txt", ".dat", ".pvd"})) return;
+  if (is_one_of(suffix.substr(1), names_of_formats())) return;
+  throw InputError({}, "-o",
+                   "no table ends in '" + shown(suffix, 40) + "': --format csv writes text into a file of any name",
+                   joined(names_of_formats()));
 }
 
 std::unique_ptr<PointTable> point_table(TableFormat format, const std::string& file, TableShape shape) {

@@ -19,6 +19,9 @@ const std::vector<std::string>& names_of_formats();
 /// CSV. Throws InputError.
 TableFormat format_of(const std::string& asked, const std::string& file);
 
+/// Throws InputError where nothing is asked for and the suffix is of no table.
+void require_table_name(const std::string& asked, const std::string& file);
+
 struct TableShape {
   PointColumns wanted;  ///< for VTU with the position and the time among the columns
   std::uint64_t rows = 0;

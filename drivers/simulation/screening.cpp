@@ -102,7 +102,8 @@ void warn_of_instability(const Scene& scene, const Material& material, double en
     const std::string sentence = instability_sentence(screen_of(scene, material, end, quiet), material.name());
     stop_if_interrupted();
     if (!sentence.empty()) warn(sentence);
-  } catch (const MaterialFailure&) {
+  } catch (const MaterialFailure& failure) {
+    if (failure.late) throw;
   }
 }
 

@@ -153,12 +153,13 @@ void evaluate_points(const EvalOptions& options, double& end) {
   shape.rows = looked.points * std::max<std::size_t>(times.size(), 1);
   if (format == TableFormat::vtu) shape.rows_at = std::move(looked.rows_at);
   end = looked.last > 0 ? looked.last : scene.time.end;
-  if (end > scene.time.end * (1 + rounding))
-    warn("the last time, " + rounded_text(end, 6) + " s, is after time.end of the scene, " +
-         rounded_text(scene.time.end, 6) + " s");
   std::string library;
   const auto material = material_of(scene, library);
   refuse_input_as_output(options.out, "-o");
+  require_table_name(options.format, options.out);
+  if (end > scene.time.end * (1 + rounding))
+    warn("the last time, " + rounded_text(end, 6) + " s, is after time.end of the scene, " +
+         rounded_text(scene.time.end, 6) + " s");
   const std::vector<PointColumn> columns = shape.wanted.columns;
   const RowNeeds needs(columns, given.boxes);
   const bool quiet = options.quiet();

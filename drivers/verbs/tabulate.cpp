@@ -102,9 +102,9 @@ int tabulate(const TabulateOptions& options) {
   Result result = result_for(scene);
   result.provenance.material = material_provenance(*tab.material, library);
   if (std::string swing = swing_sentence(scene); !swing.empty()) result.warnings.push_back(std::move(swing));
-  warn_of_instability(scene, *tab.material, tab.end, options.quiet());
-  result.setup_s = life.seconds();
   try {
+    warn_of_instability(scene, *tab.material, tab.end, options.quiet());
+    result.setup_s = life.seconds();
     if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
     tab.response = response_of(scene, tab.material, tab.path, tab.end, {.quiet = options.quiet()});
     record_sheet(scene, *tab.response, life.seconds() - result.setup_s, result);

@@ -44,6 +44,7 @@ struct FailurePlace {
   std::optional<FailedStep> step = {};  ///< where a call of `update` failed
   bool not_finite = false;              ///< its stress or state is no number
   bool final = false;                   ///< no shorter step would do: its process died
+  bool late = false;                    ///< a call took longer than it may: another one would take as long
   bool too_accurate = false;            ///< a larger tolerance of its history may do
 };
 

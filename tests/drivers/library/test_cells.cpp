@@ -58,7 +58,7 @@ TEST(Cells, OfALatticeAddUpToTheWhole) {
 
 TEST(Cells, MeansDoNotDependOnTheOthers) {
   const auto problem = opened(vortex_text());
-  const std::vector<double> small = rectangle(.9, .2, .05), large = rectangle(-.6, .2, .4);
+  const std::vector<double> small = rectangle(.9, .2, .05), large = rectangle(-.6, .2, .2);
   std::vector<double> both = small;
   both.insert(both.end(), large.begin(), large.end());
   double alone[2], together[4];

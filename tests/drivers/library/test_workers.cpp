@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Foreign materials inside a host: their workers are processes of the program, started without fork, and whatever
 // becomes of them, or of the host's children, ends in a code.
-#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,6 +14,7 @@
 #include <functional>
 #include <thread>
 
+#include "harness/numeric/stopwatch.hpp"
 #include "tests/drivers/library/handles.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/support/built.hpp"
@@ -30,20 +30,13 @@ const std::string foreign = ASSAY_SOURCE_DIR "/tests/adapters/foreign/mfront_neo
 class Workers : public testing::Test {
  protected:
   void SetUp() override { ::setenv("ASSAY_MATERIAL_PATH", built("tests/foreign").c_str(), 1); }
-  void TearDown() override {
-    std::signal(SIGCHLD, SIG_DFL);
-    ::setenv("PATH", path_.c_str(), 1);
-    ::unsetenv("ASSAY_PROGRAM");
-  }
+  void TearDown() override { std::signal(SIGCHLD, SIG_DFL); }
 
   /// A vortex until a time that takes a moment to be tabulated.
   static std::string text(const std::string& adapter = foreign, const std::string& more = {}) {
     return "motion: {type: vortex, amplitude: {type: sine, peak: .5}}\nmaterial: {adapter: '" + adapter +
            "', density: 1000" + more + "}\nforce: {tolerance: 1e-4, cache: false}\n";
   }
-
- private:
-  const std::string path_ = std::getenv("PATH");
 };
 
 /// The processes whose ancestor is this one.
@@ -198,6 +191,23 @@ TEST_F(Workers, WhoseModelCrashesAreAFinding) {
   EXPECT_NE(words.find("signal 6"), words.npos) << words;
 }
 
+/// However many parts of the library would ask the model.
+TEST_F(Workers, WhoseModelHangsAreWaitedForOnce) {
+  const std::string library = built("tests/foreign/misbehaving_umat.so");
+  if (!fs::exists(library)) GTEST_SKIP() << "there is no gfortran";
+  constexpr double limit_s = 3;
+  const ScratchFolder scratch;
+  const std::string model = scratch.write(
+      "hangs.yaml", "library: " + library +
+                        "\ninterface: umat\nname: misbehaving\nproperties: {E: 1.0e3, nu: 0.3, which: 3, from: 0.3}\n"
+                        "state: 1\ntime_limit: 3\n");
+  const Stopwatch since;
+  std::string words;
+  EXPECT_EQ(code_of(text(model), &words), ASSAY_FINDING);
+  EXPECT_NE(words.find("did not return within 3 s"), words.npos) << words;
+  EXPECT_LT(since.seconds(), 2 * limit_s);
+}
+
 TEST_F(Workers, TryNativeLibrariesFirst) {
   std::string words;
   EXPECT_EQ(code_of(text(built("tests/plugins/entry_crashes.so")), &words), ASSAY_BAD_INPUT) << words;
@@ -213,78 +223,6 @@ TEST_F(Workers, CompileASource) {
   EXPECT_EQ(code_of(text(ASSAY_SOURCE_DIR "/tests/downstream/hooke_umat.f", ", parameters: {p1: 1e3, p2: .3}"), &words),
             ASSAY_DONE)
       << words;
-}
-
-/// A copy of the library in a folder of its own.
-class Copied {
- public:
-  Copied() {
-    Dl_info known{};
-    ::dladdr(reinterpret_cast<const void*>(&assay_version), &known);
-    fs::copy_file(fs::canonical(known.dli_fname), scratch / "libassay.so.1");
-    handle_ = ::dlopen((scratch / "libassay.so.1").c_str(), RTLD_NOW | RTLD_LOCAL);
-  }
-  int code_of_foreign(std::string& words) const {
-    assay_options options = ASSAY_OPTIONS_INIT;
-    const std::string text = "motion: {type: vortex}\nmaterial: {adapter: '" + foreign + "', density: 1000}\n";
-    options.text = text.c_str();
-    assay_error error = ASSAY_ERROR_INIT;
-    assay_problem* problem = nullptr;
-    const auto open = reinterpret_cast<decltype(&assay_open)>(::dlsym(handle_, "assay_open"));
-    const int code = open(&options, &problem, &error);
-    words = error.message;
-    return code;
-  }
-  const ScratchFolder scratch;
-
- private:
-  void* handle_ = nullptr;
-};
-
-TEST_F(Workers, NeedTheProgram) {
-  const Copied copied;
-  ::setenv("PATH", "/nowhere", 1);
-  std::string words;
-  EXPECT_EQ(copied.code_of_foreign(words), ASSAY_SYSTEM);
-  EXPECT_NE(words.find("$ASSAY_PROGRAM"), words.npos) << words;
-}
-
-TEST_F(Workers, AreOfTheProgramThatIsNamed) {
-  const Copied copied;
-  ::setenv("ASSAY_PROGRAM", built("assay").c_str(), 1);
-  std::string words;
-  EXPECT_EQ(copied.code_of_foreign(words), ASSAY_DONE) << words;
-}
-
-/// What is no assay is named, and not what it was to compile or to run; nothing of its words reaches the host's.
-TEST_F(Workers, OfAProgramThatIsNoneAreRefused) {
-  const ScratchFolder scratch;
-  const std::string loud = scratch.write("loud", "#!/bin/sh\necho words >&2\necho words\nexit 1\n");
-  fs::permissions(loud, fs::perms::owner_all);
-  for (const std::string& program : {std::string("/bin/false"), loud, std::string("/nowhere/assay")}) {
-    ::setenv("ASSAY_PROGRAM", program.c_str(), 1);
-    for (const std::string& scene : {text(), text(ASSAY_SOURCE_DIR "/tests/downstream/hooke_umat.f")}) {
-      std::string words;
-      testing::internal::CaptureStderr();
-      testing::internal::CaptureStdout();
-      EXPECT_EQ(code_of(scene, &words), ASSAY_SYSTEM);
-      EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
-      EXPECT_NE(words.find(program), words.npos) << words;
-      EXPECT_EQ(words.find("gfortran"), words.npos) << words;
-    }
-  }
-}
-
-TEST_F(Workers, OfAnotherBuildAreRefused) {
-  const Copied copied;
-  const std::string program =
-      copied.scratch.write("assay",
-                           "#!/bin/sh\nprintf '0.1.0 older' | dd of=/proc/self/fd/3 bs=1 seek=$((268435456 - 4096)) "
-                           "conv=notrunc 2>/dev/null\nexit 2\n");
-  fs::permissions(program, fs::perms::owner_all);
-  std::string words;
-  EXPECT_EQ(copied.code_of_foreign(words), ASSAY_SYSTEM) << words;
-  EXPECT_NE(words.find("is assay 0.1.0 older, and the library is "), words.npos) << words;
 }
 
 }  // namespace

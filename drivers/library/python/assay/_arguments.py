@@ -23,7 +23,8 @@ def refused(key: str, needs: str, value: Any) -> InputError:
 
 def _plain(value: Any) -> Any:
     """The number of an array that has no dimension, for it is meant as one."""
-    return value[()] if getattr(value, "shape", None) == () and hasattr(value, "dtype") else value
+    is_array = getattr(value, "shape", None) == () and hasattr(value, "dtype") and not isinstance(value, (str, bytes))
+    return value[()] if is_array else value
 
 
 def number(value: Any, key: str) -> float:

@@ -81,7 +81,7 @@ def contiguous(values: Any, kind: str, key: str) -> Tuple[Any, int, Tuple[int, .
         made = array(kind)
         shape = _flat(memoryview(values).tolist() if not isinstance(values, (list, tuple)) else values, (), made)
         return made, made.buffer_info()[0], shape
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise InputError(f"{key}: is no array of {'numbers' if kind == 'd' else 'whole numbers'}: {error}",
                          key=key) from None
 
@@ -101,7 +101,9 @@ def given(values: Any, dimension: int, key: str) -> Tuple[Any, int, int, Field]:
             held, shape, strides = _place(_unmasked(values, key), STRIDES | FORMAT)
             if _are_doubles(held, strides):
                 keeper, address = held, held.address
-        except (TypeError, BufferError):
+        except InputError:
+            raise
+        except (TypeError, BufferError, ValueError):
             pass
     if keeper is None:
         keeper, address, shape = contiguous(values, "d", key)
