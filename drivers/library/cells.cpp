@@ -74,7 +74,10 @@ void require_cells(const std::vector<Corners>& cells, const ExactProblem& proble
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const HalfEdges half(cells[i], problem.dimension());
     double far = 0;
-    for (const Vector3& corner : cells[i]) far = std::max(far, corner.head(problem.dimension()).cwiseAbs().maxCoeff());
+    for (const Vector3& corner : cells[i]) {
+      far = std::max({far, std::abs(corner.x()), std::abs(corner.y())});
+      if (problem.dimension() == 3) far = std::max(far, std::abs(corner.z()));
+    }
     const double bound = least * std::max(std::isinf(length) ? 0 : length, far);
     if (!(half.shortest >= bound && half.shortest > 0))
       refuse_cell(i, "half edges must be at least " + rounded_text(bound, 2) + " m here, found " +

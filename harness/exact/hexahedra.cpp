@@ -114,7 +114,9 @@ std::uint8_t HexahedronAverage::points_along(std::span<const std::uint32_t> corn
   double longest = 0;
   for (std::size_t k = 0; k < (corners.size() == 4 ? 4 : 12); ++k) {
     const auto corner = [&](int end) { return domains_.corners()[corners[static_cast<std::size_t>(edges[k][end])]]; };
-    longest = std::max(longest, (corner(1) - corner(0)).head(rule_.directions).norm());
+    Vector3 edge = corner(1) - corner(0);
+    if (rule_.directions == 2) edge.z() = 0;
+    longest = std::max(longest, edge.norm());
   }
   const int points = rule_.points_along(0.5 * longest);
   if (gauss_.size() <= static_cast<std::size_t>(points)) gauss_.resize(static_cast<std::size_t>(points) + 1);
