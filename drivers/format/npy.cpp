@@ -104,14 +104,15 @@ class NpyDictionary {
     const bool order = !type.empty() && std::string_view("<>|=").find(type[0]) != std::string_view::npos;
     NpyField found{name, 'f', 0, order && type[0] == '>'};
     const std::string kind = type.substr(order ? 1 : 0);
-    const auto bytes = kind.empty() ? std::nullopt : parse_integer(std::string_view(kind).substr(1));
-    const bool real = bytes && kind[0] == 'f' && (*bytes == 4 || *bytes == 8);
-    const bool padding = may_be_padding && bytes && kind[0] == 'V' && *bytes > 0 && *bytes < (1 << 20);
-    const bool whole =
-        bytes && (kind[0] == 'i' || kind[0] == 'u') && (*bytes == 1 || *bytes == 2 || *bytes == 4 || *bytes == 8);
+    const std::int64_t bytes =
+        kind.empty() ? 0 : parse_integer(std::string_view(kind).substr(1)).value_or(0);  // 0: none
+    const char letter = kind.empty() ? ' ' : kind[0];
+    const bool real = letter == 'f' && (bytes == 4 || bytes == 8);
+    const bool padding = may_be_padding && letter == 'V' && bytes > 0 && bytes < (1 << 20);
+    const bool whole = (letter == 'i' || letter == 'u') && (bytes == 1 || bytes == 2 || bytes == 4 || bytes == 8);
     if (!real && !whole && !padding)
       fail("numbers of the type '" + shown(type, 40) + "': floats of 4 or 8 bytes and whole numbers are read");
-    found.kind = kind[0], found.bytes = static_cast<int>(*bytes);
+    found.kind = letter, found.bytes = static_cast<int>(bytes);
     return found;
   }
   void shape() {
