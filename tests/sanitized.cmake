@@ -63,7 +63,7 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
 
 set(shards_of_test_library 2)
 set(left_out_of_test_library # a second copy of the sanitizer; most motions; workers, which start as slowly as programs
-  Workers.NeedThe* Workers.AreOf* Workers.OfA* Workers.That* Workers.Whose* Workers.Try* */SameAs*plastic */SameAs*viscous
+  ProgramOfWorkers* Workers.OfA* Workers.That* Workers.Whose* Workers.Try* */SameAs*plastic */SameAs*viscous
   Points.BeyondTheEnd*)
 
 set(shards_of_test_house 1)

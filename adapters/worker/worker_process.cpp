@@ -79,6 +79,7 @@ namespace {
 pid_t started(const WorkerStart& start, const SharedMemory& memory, int lifeline) {
   if (start.task.size() >= task_size) throw std::system_error(E2BIG, std::generic_category(), "the task");
   std::memcpy(static_cast<char*>(memory.data()) + task_offset, start.task.c_str(), start.task.size() + 1);
+  const std::string program = worker_program();
   posix_spawn_file_actions_t files;
   ::posix_spawn_file_actions_init(&files);
   ::posix_spawn_file_actions_adddup2(&files, memory.file(), memory_file);
@@ -98,7 +99,6 @@ pid_t started(const WorkerStart& start, const SharedMemory& memory, int lifeline
   ::posix_spawnattr_setsigdefault(&attributes, &all);
   ::posix_spawnattr_setpgroup(&attributes, 0);
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-  const std::string program = worker_program();
   char name[] = "assay", verb[] = "worker";
   std::string build = start.build;
   char* words[] = {name, verb, build.empty() ? nullptr : build.data(), nullptr};

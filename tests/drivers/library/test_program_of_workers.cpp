@@ -49,6 +49,7 @@ class Copied {
     const auto open = reinterpret_cast<decltype(&assay_open)>(::dlsym(handle_, "assay_open"));
     const int code = open(&options, &problem, &error);
     words = error.message;
+    reinterpret_cast<decltype(&assay_close)>(::dlsym(handle_, "assay_close"))(problem);
     return code;
   }
   const ScratchFolder scratch;

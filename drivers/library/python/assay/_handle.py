@@ -16,7 +16,8 @@ class Handle:
     thread is in a call of is freed when the call ends."""
 
     def __init__(self, close: Callable[[c_void_p], None], handle: c_void_p) -> None:
-        self._opened, self._calls, self._closed, self._guard = handle, 0, False, threading.Lock()
+        self._opened, self._calls, self._closed = handle, 0, False
+        self._guard = threading.RLock()  # a handler of signals may close it
         self._finalizer = weakref.finalize(self, close, handle)
         self._finalizer.atexit = False  # a daemon thread may still be in a call of it
 
