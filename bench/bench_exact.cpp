@@ -28,8 +28,7 @@ std::shared_ptr<const Material> material_named(const std::string& text) {
 const std::string elastic = "adapter: neo_hookean, parameters: {E: 1.0e+3, nu: 0.3}";
 const std::string plastic =
     "adapter: j2_jaumann, parameters: {E: 1.0e+6, nu: 0.3, yield_stress: 1.5e+4, hardening_modulus: 1.0e+5}";
-
-const std::string viscous = "adapter: zener";
+const std::string viscous = "adapter: zener, parameters: {E: 1.0e+4, nu: 0.3, relaxation_time: 0.1}";
 
 /// tabulated: though there is a closed form.
 std::shared_ptr<const Response> response_of(const std::string& text, const Path& path, bool tabulated = false) {
@@ -106,6 +105,22 @@ void at_places(benchmark::State& state, const std::string& text, bool in_space) 
   state.SetItemsProcessed(static_cast<std::int64_t>(n) * state.iterations());
 }
 
+/// x, v, a, F, P, sigma and b of them.
+void all_at_places(benchmark::State& state, const std::string& text, bool in_space) {
+  constexpr std::size_t n = 20'000;
+  const auto exact = solution(text, in_space, true);
+  const auto places = exact->places(points_of(in_space, n));
+  std::vector<PointFields> fields(n);
+  FieldViews wanted = PointFields::views(fields.data());
+  wanted.static_force = {};
+  double t = 0.4;
+  for (auto _ : state) {
+    places->evaluate(*exact->slice(t += 1e-6), 0, n, wanted);
+    benchmark::DoNotOptimize(fields.data());
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(n) * state.iterations());
+}
+
 /// Means of b over the cubes of a lattice in the ball.
 void means_in_ball(benchmark::State& state, const std::string& text) {
   constexpr double edge = 1.0 / 16;
@@ -148,7 +163,14 @@ BENCHMARK_CAPTURE(at_places, plane_neo_hookean, elastic, false);
 BENCHMARK_CAPTURE(at_places, plane_zener, viscous, false);
 BENCHMARK_CAPTURE(at_places, plane_j2, plastic, false);
 BENCHMARK_CAPTURE(at_places, ball_neo_hookean, elastic, true);
+BENCHMARK_CAPTURE(at_places, ball_zener, viscous, true);
 BENCHMARK_CAPTURE(at_places, ball_j2, plastic, true);
+BENCHMARK_CAPTURE(all_at_places, plane_neo_hookean, elastic, false);
+BENCHMARK_CAPTURE(all_at_places, plane_zener, viscous, false);
+BENCHMARK_CAPTURE(all_at_places, plane_j2, plastic, false);
+BENCHMARK_CAPTURE(all_at_places, ball_neo_hookean, elastic, true);
+BENCHMARK_CAPTURE(all_at_places, ball_zener, viscous, true);
+BENCHMARK_CAPTURE(all_at_places, ball_j2, plastic, true);
 BENCHMARK_CAPTURE(means_in_ball, neo_hookean, elastic)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(means_in_ball, j2, plastic)->Unit(benchmark::kMillisecond);
 BENCHMARK(million_points)->Unit(benchmark::kMillisecond)->Iterations(1);
