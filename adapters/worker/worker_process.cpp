@@ -136,11 +136,11 @@ void WorkerProcess::refuse_other_build() const {
   const char* words = static_cast<const char*>(kept_.memory().data()) + kept_.memory().size() - refusal_size;
   const std::string other(words, strnlen(words, refusal_size));
   if (control().end() != Death::lost || build_.empty()) return;
-  const char* named = std::getenv("ASSAY_PROGRAM");
+  const char* named = own_library().empty() ? nullptr : std::getenv("ASSAY_PROGRAM");
   const std::string program = "'" + worker_program() + "'" + (named && *named ? ", which ASSAY_PROGRAM names," : "");
   if (!other.empty())
     throw WrongProgram(program + " is assay " + other.substr(0, 200) + ", and the library is " + build_);
-  if (control().process.load() == 0)
+  if (control().process.load() == 0 && !own_library().empty())  // a library may start what is no assay
     throw WrongProgram(program + " ended before it could serve: it must be the program assay " + build_);
 }
 

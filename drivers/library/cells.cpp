@@ -36,21 +36,6 @@ Corners corners_of(const double* corners, int dimension) {
   return found;
 }
 
-/// Half of the longest and of the shortest edge, of those in the plane where the cell is plane [m].
-struct HalfEdges {
-  double longest = 0, shortest = HUGE_VAL;
-  HalfEdges(const Corners& corners, int dimension) {
-    constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
-                                  {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
-    for (int k = 0; k < (dimension == 3 ? 12 : 4); ++k) {
-      const double half =
-          0.5 *
-          (corners[static_cast<std::size_t>(edges[k][0])] - corners[static_cast<std::size_t>(edges[k][1])]).norm();
-      longest = std::max(longest, half), shortest = std::min(shortest, half);
-    }
-  }
-};
-
 [[noreturn]] void refuse_cell(std::size_t cell, const std::string& what) {
   throw RefusedCall("corners", what, ASSAY_BAD_INPUT, static_cast<std::int64_t>(cell));
 }

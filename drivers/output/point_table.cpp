@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "drivers/format/csv.hpp"
 #include "drivers/format/npy.hpp"
@@ -113,25 +114,38 @@ const std::vector<std::string>& names_of_formats() {
   return names;
 }
 
+namespace {
+
+std::string suffix_of(const std::string& file) {
+  return small_letters(std::filesystem::path(file).extension().string());
+}
+
+/// Nothing for a suffix that is of no table.
+std::optional<TableFormat> format_by_name(const std::string& file) {
+  const std::string suffix = suffix_of(file);
+  if (suffix == ".pvd") return TableFormat::vtu;
+  if (is_one_of(suffix, {"", ".txt", ".dat"})) return TableFormat::csv;
+  const std::size_t k = index_of(suffix.substr(1), names_of_formats());
+  return k == names_of_formats().size() ? std::nullopt : std::optional(static_cast<TableFormat>(k));
+}
+
+}  // namespace
+
 TableFormat format_of(const std::string& asked, const std::string& file) {
   const std::vector<std::string>& names = names_of_formats();
   const std::size_t k = index_of(asked, names);
   if (!asked.empty() && k == names.size())
     throw InputError({}, "--format", unknown("format '" + shown(asked, 40) + "'", asked, names), joined(names));
   if (!asked.empty()) return static_cast<TableFormat>(k);
-  const std::string suffix = small_letters(std::filesystem::path(file).extension().string());
-  if (suffix == ".pvd") return TableFormat::vtu;
-  const std::size_t by_name = suffix.empty() ? names.size() : index_of(suffix.substr(1), names);
-  return by_name == names.size() ? TableFormat::csv : static_cast<TableFormat>(by_name);
+  return format_by_name(file).value_or(TableFormat::csv);
 }
 
 void require_table_name(const std::string& asked, const std::string& file) {
-  const std::string suffix = small_letters(std::filesystem::path(file).extension().string());
-  if (!asked.empty() || is_stream(file) || is_one_of(suffix, {"", ".txt", ".dat", ".pvd"})) return;
-  if (is_one_of(suffix.substr(1), names_of_formats())) return;
-  throw InputError({}, "-o",
-                   "no table ends in '" + shown(suffix, 40) + "': --format csv writes text into a file of any name",
-                   joined(names_of_formats()));
+  if (!asked.empty() || is_stream(file) || format_by_name(file)) return;
+  throw InputError(
+      {}, "-o",
+      "no table ends in '" + shown(suffix_of(file), 40) + "': --format csv writes text into a file of any name",
+      joined(names_of_formats()));
 }
 
 std::unique_ptr<PointTable> point_table(TableFormat format, const std::string& file, TableShape shape) {

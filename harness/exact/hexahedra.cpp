@@ -84,6 +84,17 @@ std::vector<std::array<Vector3, 8>> boxes_around(std::span<const Vector3> points
   return boxes;
 }
 
+HalfEdges::HalfEdges(std::span<const Vector3> corners, int directions) {
+  constexpr std::size_t edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                        {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  const std::size_t count = corners.size() == 4 || directions == 2 ? 4 : 12;
+  for (const auto& [a, b] : std::span(edges).first(count)) {
+    Vector3 edge = corners[b] - corners[a];
+    if (directions == 2) edge.z() = 0;
+    longest = std::max(longest, 0.5 * edge.norm()), shortest = std::min(shortest, 0.5 * edge.norm());
+  }
+}
+
 HexahedronAverage::HexahedronAverage(Hexahedra domains, double density, const HexahedronRule& rule)
     : domains_(std::move(domains)), density_(density), rule_(rule) {
   for (const Hexahedra::Face& face : domains_.faces()) of_face_.push_back(points_along(face));
@@ -109,18 +120,12 @@ int HexahedronRule::points_along(double half_edge) const {
 
 /// Those of a face or a domain. They follow from its own edges, so that its neighbours do not change what acts on it.
 std::uint8_t HexahedronAverage::points_along(std::span<const std::uint32_t> corners) {
-  constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
-                                {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
-  double longest = 0;
-  for (std::size_t k = 0; k < (corners.size() == 4 ? 4 : 12); ++k) {
-    const auto corner = [&](int end) { return domains_.corners()[corners[static_cast<std::size_t>(edges[k][end])]]; };
-    Vector3 edge = corner(1) - corner(0);
-    if (rule_.directions == 2) edge.z() = 0;
-    longest = std::max(longest, edge.norm());
-  }
-  const int points = rule_.points_along(0.5 * longest);
-  if (gauss_.size() <= static_cast<std::size_t>(points)) gauss_.resize(static_cast<std::size_t>(points) + 1);
-  gauss_[static_cast<std::size_t>(points)] = gauss_points(points);
+  std::array<Vector3, 8> places;
+  for (std::size_t k = 0; k < corners.size(); ++k) places[k] = domains_.corners()[corners[k]];
+  const HalfEdges half({places.data(), corners.size()}, rule_.directions);
+  const auto points = static_cast<std::size_t>(rule_.points_along(half.longest));
+  if (gauss_.size() <= points) gauss_.resize(points + 1);
+  if (gauss_[points].empty()) gauss_[points] = gauss_points(static_cast<int>(points));
   return static_cast<std::uint8_t>(points);
 }
 

@@ -45,6 +45,13 @@ class Hexahedra {
   std::vector<Domain> domains_;
 };
 
+/// Half of the longest and of the shortest edge of a face, or of a domain in VTK's order [m].
+struct HalfEdges {
+  /// corners: 4 or 8; directions: in which edges are measured and, of a domain, lie: 3, or 2 in the plane.
+  HalfEdges(std::span<const Vector3> corners, int directions);
+  double longest = 0, shortest = std::numeric_limits<double>::infinity();
+};
+
 /// The boxes around points with these half edges [m]; on a lattice neighbours share their corners to the last bit.
 std::vector<std::array<Vector3, 8>> boxes_around(std::span<const Vector3> points, const Vector3& half);
 
