@@ -11,6 +11,9 @@ string(REGEX REPLACE "[\\\\\"]" "" ASSAY_FLAGS "${ASSAY_FLAGS}")
 set(ASSAY_LIBRARIES "Eigen ${Eigen3_VERSION}" "Boost ${Boost_VERSION_STRING}" "yaml-cpp ${yaml-cpp_VERSION}"
   "CLI11 ${CLI11_VERSION}" "fmt ${fmt_VERSION}" "nlohmann_json ${nlohmann_json_VERSION}"
   "zlib ${ZLIB_VERSION_STRING}")
+if(HDF5_FOUND)
+  list(APPEND ASSAY_LIBRARIES "HDF5 ${HDF5_VERSION}")
+endif()
 list(TRANSFORM ASSAY_LIBRARIES REPLACE "(.+)" "\"\\1\"")
 list(JOIN ASSAY_LIBRARIES ", " ASSAY_LIBRARIES)
 

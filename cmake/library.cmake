@@ -18,6 +18,7 @@ set_target_properties(assay_library PROPERTIES OUTPUT_NAME assay EXPORT_NAME ass
 if(NOT ASSAY_SANITIZE) # whose functions are the program's
   target_link_options(assay_library PRIVATE -Wl,--no-undefined)
 endif()
+target_link_options(assay_library PRIVATE -Wl,--as-needed) # what the drivers link and the library has no use for
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   target_link_options(assay_library PRIVATE -s)
 endif()

@@ -42,7 +42,7 @@ std::vector<ColumnRecord<Dim>> spine_columns() {
       {Column::position, "position", "m", "x", vector},
       {Column::velocity, "velocity", "m/s", "v", vector, in_snapshots},
       {Column::mass, "mass", "kg", "constant", number},
-      {Column::volume, "volume", "m^3", "reference volume, per unit thickness in two dimensions", number},
+      {Column::volume, "volume", "m^3", "reference volume, per unit thickness in two dimensions", number, in_snapshots},
       {Column::deformation_gradient, "deformation_gradient", "1", "F, in-plane components", tensor,
        of_stress | in_snapshots},
       {Column::stress, "stress", "Pa", "Cauchy stress, in-plane components and 33",

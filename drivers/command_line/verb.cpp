@@ -167,9 +167,9 @@ void add_out(VerbArguments& verb, std::string& out, const std::string& type, con
   add_value(verb, "-o", out, type, doc)->check(fault, "");
 }
 
-void add_results(VerbArguments& verb, SceneOptions& given) {
+void add_results(VerbArguments& verb, SceneOptions& given, const std::string& json) {
   add_out(verb, given.out, "DIR", "folder for the results (default: results/SCENE)");
-  verb.app.add_flag("--json", given.json, "print result.json instead of text");
+  verb.app.add_flag("--json", given.json, "print " + json + " instead of text");
 }
 
 std::string results_folder(const std::string& out, const std::string& input) {

@@ -81,7 +81,7 @@ void add_scene(VerbArguments& verb, SceneOptions& given);
 void add_out(VerbArguments& verb, std::string& out, const std::string& type, const std::string& doc);
 
 /// -o and --json of a verb that leaves a folder of results.
-void add_results(VerbArguments& verb, SceneOptions& given);
+void add_results(VerbArguments& verb, SceneOptions& given, const std::string& json = "result.json");
 
 /// The folder `out`; where it is empty, results/NAME with the name of the input.
 std::string results_folder(const std::string& out, const std::string& input);

@@ -6,6 +6,7 @@
 // - foreign models in this process: they run in workers.
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/library.hpp"
+#include "drivers/format/particle_tables.hpp"
 #include "drivers/scene/expect.hpp"
 #include "mpm/compose.hpp"
 
@@ -33,6 +34,8 @@ const assay_material* foreign_table(const ForeignModel&) {
 }
 
 }  // namespace adapters
+
+void drivers::read_particle_hdf5(const std::string&, const TakeTable&) {}
 
 std::vector<drivers::Expectation> drivers::read_expectations(const Tree&, const ExpectationWords&) { return {}; }
 

@@ -129,7 +129,8 @@ void append_compressed(std::string& out, std::string_view bytes) {
   }
 }
 
-std::string vtu_text(std::span<const double> positions, const std::vector<VtuArray>& arrays, double t) {
+std::string vtu_text(std::span<const double> positions, const std::vector<VtuArray>& arrays, double t,
+                     const std::optional<double>& velocity_t) {
   if (positions.size() % 3 != 0) throw std::invalid_argument("vtu_text: length of positions");
   const std::size_t particles = positions.size() / 3;
   Writer out;
@@ -137,6 +138,8 @@ std::string vtu_text(std::span<const double> positions, const std::vector<VtuArr
   out.line("<UnstructuredGrid>");
   out.line("<FieldData>");
   out.array<double>("TimeValue", "Float64", 1, std::span(&t, 1), " NumberOfTuples=\"1\"");
+  if (velocity_t && *velocity_t != t)
+    out.array<double>("VelocityTime", "Float64", 1, std::span(&*velocity_t, 1), " NumberOfTuples=\"1\"");
   out.line("</FieldData>");
   out.line("<Piece NumberOfPoints=\"" + std::to_string(particles) + "\" NumberOfCells=\"" + std::to_string(particles) +
            "\">");

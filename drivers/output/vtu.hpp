@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,9 +32,11 @@ struct VtuArray {
 };
 
 /// One .vtu file: appended little-endian data, compressed by zlib, with UInt64 headers. `positions`
-/// holds x,y,z of each particle [m], `t` becomes TimeValue [s]. Equal input gives equal bytes with the same version of
-/// zlib. Throws std::invalid_argument where a length does not fit.
-std::string vtu_text(std::span<const double> positions, const std::vector<VtuArray>& arrays, double t);
+/// holds x,y,z of each particle [m], `t` becomes TimeValue [s], and VelocityTime is that of velocities where it is
+/// another one. Equal input gives equal bytes with the same version of zlib. Throws std::invalid_argument where a
+/// length does not fit.
+std::string vtu_text(std::span<const double> positions, const std::vector<VtuArray>& arrays, double t,
+                     const std::optional<double>& velocity_t = {});
 
 /// The same file without compression, so that each number has its place before any of them is known: particles may
 /// come in any order and number at a time.

@@ -12,6 +12,11 @@
 
 namespace assay::drivers {
 
+/// Keys of orders, which several grids have together: `study` and `judge` judge them, and `run` passes over them.
+inline constexpr const char* order_key = "order";            ///< fitted over all grids
+inline constexpr const char* last_order_key = "order_last";  ///< between the two finest
+bool is_of_order(const Expectation& line);
+
 /// How a run can end.
 const std::vector<std::string>& known_outcomes();
 
@@ -31,7 +36,7 @@ std::string expectation_yaml(const Expectation& expectation);
 /// What a figure is to an expectation of it. A figure that was not reached or is not a number holds nothing.
 ExpectationOutcome judged(const Expectation& line, const FlatValue& found);
 
-/// One outcome a line, in their order. A figure that was not reached or is not a number holds nothing. Behind them what
+/// One outcome a line, in their order, but for lines of orders. A figure that was not reached or is not a number holds nothing. Behind them what
 /// is expected of any response, where it fails and no line is of the same figure: a stated error of tau or of its slope
 /// below 0.05, or below 100 times force.tolerance where that is more.
 std::vector<ExpectationOutcome> judge(const std::vector<Expectation>& expectations, const Result& result);

@@ -167,7 +167,8 @@ Scene scene_of(const Tree& root, const std::string& file, const std::string& sha
   read_motion_path(root, otherwise, scene);
   scene.motion->set_dimension(scene.dimension);
   derive(root, scene);
-  if (const Tree* expect = value_at(root, "expect")) scene.expect = read_expectations(*expect);
+  if (const Tree* expect = value_at(root, "expect"))
+    scene.expect = read_expectations(*expect, {.numbers = {order_key, last_order_key}});
   check_scene(scene, [&](const std::string& path) {
     auto found = scene.places.find(path);
     if (found == scene.places.end()) found = scene.places.find(parent_of(path));

@@ -86,6 +86,12 @@ Json free_section(const Section& section) {
   Json out{{"type", "object"}, {"description", section.doc}, {"patternProperties", {{merge_pattern, Json::object()}}}};
   if (section.path == "expect") {
     out["additionalProperties"] = false;
+    for (const char* key : {order_key, last_order_key}) {
+      out["properties"][key] = expectation_schema(key, {});
+      out["properties"][key]["description"] =
+          key == std::string(order_key) ? "observed order over all grids of `judge`; `run` passes over it"
+                                        : "order between the two finest grids of `judge`; `run` passes over it";
+    }
     for (const std::string& key : flat_keys()) out["properties"][key] = expectation_schema(key, known_outcomes());
   } else {
     out["additionalProperties"] = {{"type", "number"}};

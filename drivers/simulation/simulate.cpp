@@ -140,7 +140,7 @@ class Run {
     start = Clock::now();
     if (sample && !shot) snapshots_.remember(simulation_.state(), *sampler_, t);
     if (shot) {
-      snapshots_.add(simulation_.state(), sampler_ ? &*sampler_ : nullptr, t);
+      snapshots_.add(simulation_.state(), sampler_ ? &*sampler_ : nullptr, t, simulation_.velocity_time());
       output_s_ += seconds_since(start);
     }
     if (account) accounts_->check(simulation_.state());

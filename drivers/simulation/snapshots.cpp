@@ -39,7 +39,7 @@ std::vector<double> interleaved(const ColumnView& of, std::size_t particles, con
 }
 
 std::string particles_vtu(const std::vector<ShownColumn>& shown, const ColumnView& of, std::size_t particles,
-                          const std::vector<VtuArray>& more, double t) {
+                          const std::vector<VtuArray>& more, double t, const std::optional<double>& velocity_t = {}) {
   std::vector<std::int64_t> id(particles);
   for (std::size_t p = 0; p < particles; ++p) id[p] = static_cast<std::int64_t>(p);
   std::vector<std::vector<double>> values;
@@ -48,13 +48,14 @@ std::string particles_vtu(const std::vector<ShownColumn>& shown, const ColumnVie
   std::vector<double> displacement(position);
   for (std::size_t k = 0; k < displacement.size(); ++k) displacement[k] -= values[0][k];
   std::vector<VtuArray> arrays{{"id", 1, std::span<const std::int64_t>(id)},
+                               {"reference_position", 3, std::span<const double>(values[0])},
                                {"displacement", 3, std::span<const double>(displacement)}};
   for (std::size_t k = 2; k < shown.size(); ++k) {
     const std::string name(mpm::info(shown[k].column).name);
     arrays.push_back({name, shown[k].width(), std::span<const double>(values[k])});
   }
   arrays.insert(arrays.end(), more.begin(), more.end());
-  return vtu_text(position, arrays, t);
+  return vtu_text(position, arrays, t, velocity_t);
 }
 
 /// What a comparison with the exact motion adds.
@@ -134,12 +135,12 @@ std::string Snapshots::leave_last_good(const ExactSolutionPtr& exact) const {
   return name;
 }
 
-void Snapshots::write_vtu(const mpm::State<2>& s, const ErrorSampler* sampler, double t) {
+void Snapshots::write_vtu(const mpm::State<2>& s, const ErrorSampler* sampler, double t, double velocity_t) {
   std::vector<VtuArray> more;
   if (sampler) more = compared_arrays(*problem_, sampler->displacement_error(), sampler->measure());
   const auto of = [&s](Column which, int component) { return s.column(which, component); };
   const std::string name = particles_name(static_cast<int>(entries_.size()));
-  folder_->write(name, particles_vtu(shown_, of, s.particles, more, t));
+  folder_->write(name, particles_vtu(shown_, of, s.particles, more, t, velocity_t));
   entries_.push_back({t, name});
 }
 
@@ -180,8 +181,8 @@ ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
   return frame;
 }
 
-void Snapshots::add(const mpm::State<2>& state, const ErrorSampler* sampler, double t) {
-  if (problem_->scene.output.writes_particles()) write_vtu(state, sampler, t);
+void Snapshots::add(const mpm::State<2>& state, const ErrorSampler* sampler, double t, double velocity_t) {
+  if (problem_->scene.output.writes_particles()) write_vtu(state, sampler, t, velocity_t);
   if (!problem_->scene.output.pictures || !sampler) return;
   show({t, frame_of(state, t), sampler->displacement_error(), sampler->measure()});
 }

@@ -25,7 +25,8 @@ class Snapshots {
   Snapshots(const Problem& problem, OutputFolder& folder);
 
   /// One more snapshot at time t. `sampler`: null where there is no exact solution to compare with, else just sampled.
-  void add(const mpm::State<2>& state, const ErrorSampler* sampler, double t);
+  /// velocity_t: of the particles' velocities [s].
+  void add(const mpm::State<2>& state, const ErrorSampler* sampler, double t, double velocity_t);
 
   /// Keeps the picture of a moment that is sampled, in place of the one before: it is shown where the run ends there.
   void remember(const mpm::State<2>& state, const ErrorSampler& sampler, double t);
@@ -42,7 +43,7 @@ class Snapshots {
   std::vector<Written> finish();
 
  private:
-  void write_vtu(const mpm::State<2>& state, const ErrorSampler* sampler, double t);
+  void write_vtu(const mpm::State<2>& state, const ErrorSampler* sampler, double t, double velocity_t);
   ParticleFrame frame_of(const mpm::State<2>& state, double t) const;
 
   const Problem* problem_;

@@ -34,6 +34,7 @@ class Assay(CMakePackage):
     depends_on("fmt@9:")
     depends_on("nlohmann-json@3:")
     depends_on("zlib@1.2:")
+    depends_on("hdf5@1.10:~mpi")
     # The header is included as stb/stb_image_write.h. A Spack without this package needs one that puts it there.
     depends_on("stb")
 

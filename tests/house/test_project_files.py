@@ -21,16 +21,18 @@ except ImportError as missing:
     sys.exit(0)
 
 NEXT = "0.2.0"  # the release that these files were made for
-YAML = ["CITATION.cff", "action.yml", ".pre-commit-hooks.yaml", "packaging/conda/meta.yaml",
+YAML = ["CITATION.cff", "action.yml", "packaging/judge/action.yml", ".pre-commit-hooks.yaml", "packaging/conda/meta.yaml",
         ".github/ISSUE_TEMPLATE/bug.yml", ".github/ISSUE_TEMPLATE/model.yml", ".github/ISSUE_TEMPLATE/config.yml"]
 LICENSED = YAML + ["packaging/spack/package.py", "packaging/conda/build.sh", "packaging/pre-commit/each_file.sh"]
 PLAIN = ["SECURITY.md", "CODE_OF_CONDUCT.md", "CONTRIBUTING.md", ".github/PULL_REQUEST_TEMPLATE.md", "docs/paper.md",
          "docs/paper.bib"]
 # What CMake finds, and the packages that hold it.
 SPACK = {"Eigen3": {"eigen"}, "Boost": {"boost"}, "yaml-cpp": {"yaml-cpp"}, "CLI11": {"cli11"}, "fmt": {"fmt"},
-         "nlohmann_json": {"nlohmann-json"}, "ZLIB": {"zlib", "zlib-api"}, "STB": {"stb"}, "Threads": set()}
+         "nlohmann_json": {"nlohmann-json"}, "ZLIB": {"zlib", "zlib-api"}, "STB": {"stb"},
+         "HDF5": {"hdf5"}, "Threads": set()}
 CONDA = {"Eigen3": {"eigen"}, "Boost": {"libboost-headers"}, "yaml-cpp": {"yaml-cpp"}, "CLI11": {"cli11"},
-         "fmt": {"fmt"}, "nlohmann_json": {"nlohmann_json"}, "ZLIB": {"zlib"}, "STB": {"stb"}, "Threads": set()}
+         "fmt": {"fmt"}, "nlohmann_json": {"nlohmann_json"}, "ZLIB": {"zlib"}, "STB": {"stb"}, "HDF5": {"hdf5"},
+         "Threads": set()}
 TOOLS = {"c", "cxx", "fortran", "cmake", "ninja", "googletest", "libxml2"}  # of the build and of the tests
 
 
@@ -127,14 +129,14 @@ def issue_form(form):
             yield f"{name}: no label"
 
 
-def action(tree, assay, value):
-    text = tree.text("action.yml")
+def action(tree, assay, value, path="action.yml", wanted=("model", "props", "statev", "parameters", "junit")):
+    text = tree.text(path)
     declared, used = set(value.get("inputs") or {}), set(re.findall(r"\binputs\.([\w-]+)", text))
     for name in sorted(used - declared):
         yield f"input {name} is used and not declared"
     for name in sorted(declared - used):
         yield f"input {name} is declared and not used"
-    for name in sorted({"model", "props", "statev", "parameters", "junit"} - declared):
+    for name in sorted(set(wanted) - declared):
         yield f"no input {name}"
     if value.get("runs", {}).get("using") != "composite":
         yield "runs.using is not composite"
@@ -256,6 +258,8 @@ def faults_of(tree, assay=None):
     faults += [f"{path}: no such file" for path in PLAIN if not tree.has(path)]
     checks = {"CITATION.cff": lambda value: citation(tree, value),
               "action.yml": lambda value: action(tree, assay, value),
+              "packaging/judge/action.yml": lambda value: action(tree, assay, value, "packaging/judge/action.yml",
+                                                                 ("scene", "runs", "map", "h", "order", "junit")),
               ".pre-commit-hooks.yaml": lambda value: hooks(tree, assay, value),
               "packaging/conda/meta.yaml": lambda value: conda(tree, value),
               ".github/ISSUE_TEMPLATE/bug.yml": issue_form,
@@ -277,16 +281,17 @@ PLANTED = [
     ("action.yml", "      shell: bash\n", "", "no shell"),
     ("action.yml", "assay check ", "assay chek ", "no verb chek"),
     ("action.yml", '"$MODEL" --junit', '"${{ inputs.model }}" --junit', "an expression in a script"),
+    ("packaging/judge/action.yml", "assay judge ", "assay jugde ", "no verb jugde"),
     (".pre-commit-hooks.yaml", "each_file.sh explain", "each_file.sh explian", "no verb 'explian'"),
     (".pre-commit-hooks.yaml", "each_file.sh check", "no_file.sh check", "no file"),
     (".pre-commit-hooks.yaml", "id: assay-scene\n  name", "id: assay-seen\n  name", "no hook assay-scene"),
     (".github/ISSUE_TEMPLATE/bug.yml", "id: scene", "id: version", "there twice"),
     ("packaging/spack/package.py", 'depends_on("fmt@9:")', "pass", "fmt of CMakeLists.txt is no dependency"),
-    ("packaging/spack/package.py", 'depends_on("stb")', 'depends_on("stb")\n    depends_on("hdf5")', "hdf5 is a dep"),
+    ("packaging/spack/package.py", 'depends_on("stb")', 'depends_on("stb")\n    depends_on("netcdf-c")', "netcdf-c is a dep"),
     ("packaging/spack/package.py", "return [\n", "return [[\n", "package.py: line"),
     ("packaging/spack/package.py", "cmake@3.25:", "cmake@3.10:", "cmake is not"),
     ("packaging/conda/meta.yaml", "- zlib\n", "- zstd\n", "ZLIB of CMakeLists.txt is no dependency"),
-    ("CMakeLists.txt", "find_package(fmt REQUIRED)", "find_package(HDF5 REQUIRED)", "CMakeLists.txt finds HDF5"),
+    ("CMakeLists.txt", "find_package(fmt REQUIRED)", "find_package(LLVM REQUIRED)", "CMakeLists.txt finds LLVM"),
     ("docs/paper.md", "[@roache2002manufactured]", "[@roache2003manufactured]", "roache2003manufactured is cited"),
     ("packaging/conda/build.sh", "SPDX-License-Identifier", "SPDX", "build.sh: no licence"),
 ]

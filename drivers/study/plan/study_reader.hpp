@@ -25,8 +25,6 @@ const std::vector<std::string>& study_keys();
 const std::vector<std::string>& study_outcomes();
 
 /// What `expect:` of a study takes beside the keys of result.json: figures of a series.
-inline constexpr const char* order_key = "order";            ///< fitted over all resolutions
-inline constexpr const char* last_order_key = "order_last";  ///< between the two finest
 
 /// A map of dotted keys of a scene (and `threads`) to values. Throws InputError.
 std::vector<Setting> read_settings(const Tree& map, const std::string& key);

@@ -71,6 +71,33 @@ class OutputFolderTest : public testing::Test {
   fs::path root_, target_;
 };
 
+TEST_F(OutputFolderTest, FilesOfSubFoldersAppearAndAreReplaced) {
+  const std::vector<std::string> all{"h_1/a.csv", "h_1/deep/b.csv", "README.md"};
+  for (const std::string text : {"first", "second"}) {
+    OutputFolder folder(target_, all);
+    for (const std::string& name : all) folder.write(name, text);
+    folder.commit();
+    for (const std::string& name : all) EXPECT_EQ(read(target_ / name), text);
+    put(target_ / "h_1" / "own.csv", "of the user");
+  }
+  EXPECT_EQ(read(target_ / "h_1" / "own.csv"), "of the user");
+  EXPECT_EQ(names(target_), (std::set<std::string>{"README.md", "h_1"}));
+}
+
+TEST_F(OutputFolderTest, SubFoldersThatCannotBeMadeLeaveAllAsItWas) {
+  fs::create_directories(target_);
+  put(target_ / "z", "a file in the way");
+  put(target_ / "a.csv", "before");
+  const std::string found = system_error([&] {
+    OutputFolder folder(target_, {"a.csv", "h_1/a.csv", "z/b.csv"});
+    for (const char* name : {"a.csv", "h_1/a.csv", "z/b.csv"}) folder.write(name, "new");
+    folder.commit();
+  });
+  EXPECT_NE(found.find("z: "), std::string::npos) << found;
+  EXPECT_EQ(read(target_ / "a.csv"), "before");
+  EXPECT_EQ(names(target_), (std::set<std::string>{"a.csv", "z"}));
+}
+
 TEST_F(OutputFolderTest, ARunAndAStudyTakeFoldersOfTheirOwn) {
   const std::vector<std::string> of_a_study{"study.json", "report.html"};
   publish({"result.json", "report.html"}, "run");

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/judge/judging.hpp"
+
+#include <algorithm>
+
+#include "drivers/findings/findings.hpp"
+#include "drivers/output/errors_csv.hpp"
+#include "drivers/scene/expect.hpp"
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/problem.hpp"
+#include "drivers/simulation/response_source.hpp"
+#include "drivers/system/input_error.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/text/numbers.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+Vector3 centre_of_body(const Scene& scene) {
+  if (ring_of(scene.motion) || scene.body.domain == Body::Domain::ring) return Vector3::Zero();
+  Vector3 centre = Vector3::Zero();
+  for (std::size_t d = 0; d < 2; ++d) centre[static_cast<int>(d)] = 0.5 * (scene.body.lower[d] + scene.body.upper[d]);
+  return centre;
+}
+
+/// Of the k-th run.
+void take_cost(const JudgeCost& cost, std::size_t k, std::size_t runs, const std::string& file, JudgedGrid& grid) {
+  if (cost.seconds.empty()) return;
+  if (cost.seconds.size() > 1 && cost.seconds.size() != runs) {
+    throw InputError({file, 0, 0}, "cost.seconds",
+                     "has " + std::to_string(cost.seconds.size()) + " numbers for " + std::to_string(runs) + " runs");
+  }
+  grid.seconds = cost.seconds[cost.seconds.size() > 1 ? k : 0];
+  grid.cores = cost.cores, grid.machine = cost.machine;
+}
+
+}  // namespace
+
+namespace {
+
+/// Throws InputError where the spacings that are given do not go with the distances between particles.
+void check_spacings(const std::vector<JudgedGrid>& runs, std::vector<std::string>& warnings) {
+  constexpr double far = 30;
+  for (const JudgedGrid& a : runs) {
+    for (const JudgedGrid& b : runs) {
+      if (*a.h > 1.01 * *b.h && *a.spacing * 1.5 < *b.spacing) {
+        throw InputError({}, "--h",
+                         "gives " + rounded_text(*a.h, 4) + " for " + a.name +
+                             ", whose particles are closer than those of " + b.name + " with " + rounded_text(*b.h, 4) +
+                             ": spacings are in the order of the runs");
+      }
+    }
+    if (*a.h > far * *a.spacing || far * *a.h < *a.spacing) {
+      warnings.push_back("--h gives " + rounded_text(*a.h, 4) + " m for " + a.name + ", whose particles are " +
+                         rounded_text(*a.spacing, 3) + " m apart");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Expectation> expected_of_any_code(const Scene& scene, bool all) {
+  std::vector<Expectation> lines;
+  for (const Expectation& line : scene.expect) {
+    if (is_of_order(line) || (all && line.key.starts_with("error."))) lines.push_back(line);
+  }
+  return lines;
+}
+
+JudgeFindings findings_of(Scene scene, const JudgeTask& task) {
+  if (!task.map.scene_sha256.empty() && task.map.scene_sha256 != scene.sha256)
+    throw InputError({task.map_file, 0, 0}, "scene_sha256", "is of another scene than " + scene.file);
+  JudgeFindings findings;
+  findings.title = scene.title, findings.scene = scene.file, findings.code = task.map.code;
+  std::string library;
+  const auto material = material_of(scene, library);
+  findings.provenance = build_information();
+  findings.provenance.scene_sha256 = scene.sha256;
+  findings.provenance.material = material_provenance(*material, library);
+  const Vector3 centre = centre_of_body(scene);
+  const int dimension = scene.dimension;
+  std::vector<JudgedRun> runs;
+  std::vector<std::vector<Label>> labels;
+  ExactParticles motion(motion_alone(scene, material), dimension);
+  double end = scene.time.end;
+  bool stress = false;
+  for (const std::string& name : task.runs) {
+    runs.push_back(read_judged_run(name, task.map));
+    labels.push_back(take_position_labels(runs.back(), centre, motion));
+    end = std::max(end, runs.back().frames.back().t);
+    stress = stress || !runs.back().frames.back().sigma.empty();
+    stop_if_interrupted();
+  }
+  if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
+  ExactParticles exact(
+      stress ? exact_solution_of_points(scene, material, end, task.quiet) : motion_alone(scene, material), dimension);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const JudgeCost cost = runs[k].map.cost;
+    JudgedGrid grid = judged_grid(std::move(runs[k]), std::move(labels[k]), 0.5 * scene.motion->period(),
+                                  scene.time.end, exact, findings.warnings);
+    if (!task.h.empty()) grid.h = task.h[k];
+    take_cost(cost, k, runs.size(), task.map_file, grid);
+    findings.runs.push_back(std::move(grid));
+    stop_if_interrupted();
+  }
+  if (!task.h.empty()) check_spacings(findings.runs, findings.warnings);
+  conclude(findings, task.expected);
+  return findings;
+}
+
+std::vector<std::string> judge_files() {
+  return {"judge.json", "report.html", "errors.csv", "errors_#.csv", "resolved.yaml", "result.json"};
+}
+
+std::string write_findings(const JudgeFindings& findings, const Scene& scene, OutputFolder& folder) {
+  for (std::size_t k = 0; k < findings.runs.size(); ++k) {
+    const bool finest = k + 1 == findings.runs.size();
+    folder.write(finest ? "errors.csv" : "errors_" + std::to_string(k + 1) + ".csv",
+                 errors_csv(findings.runs[k].history));
+  }
+  const std::string resolved = resolved_yaml(scene);
+  folder.write("resolved.yaml", resolved);
+  folder.write("report.html", judge_html(findings, resolved, scene.motion->period()));
+  return judge_json(findings);
+}
+
+}  // namespace assay::drivers
