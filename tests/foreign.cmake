@@ -9,12 +9,21 @@ endif()
 # FEniCSx keeps what it compiles in XDG_CACHE_HOME.
 set(foreign_environment "${test_environment}" "PYTHONPATH=${PROJECT_BINARY_DIR}/python" PYTHONDONTWRITEBYTECODE=1
   OMP_NUM_THREADS=1 "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache")
-foreach(code IN ITEMS fenicsx_dynamic fenicsx_static lammps_peri)
+# add_foreign_test(NAME SCRIPT [ARGUMENT...])
+function(add_foreign_test name script)
   if(foreign_python)
-    add_test(NAME foreign/${code} COMMAND ${foreign_python} ${CMAKE_CURRENT_LIST_DIR}/foreign/${code}.py)
+    add_test(NAME foreign/${name} COMMAND ${foreign_python} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/foreign/${script}.py ${ARGN})
   else()
-    add_test(NAME foreign/${code} COMMAND ${CMAKE_COMMAND} -E echo "skipped: no python3")
+    add_test(NAME foreign/${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: no python3")
   endif()
-  set_tests_properties(foreign/${code} PROPERTIES LABELS "long;foreign" SKIP_REGULAR_EXPRESSION "skipped: "
+  set_tests_properties(foreign/${name} PROPERTIES LABELS "long;foreign" SKIP_REGULAR_EXPRESSION "skipped: "
     ENVIRONMENT "${foreign_environment}")
+endfunction()
+foreach(code IN ITEMS fenicsx_dynamic fenicsx_static lammps_peri)
+  add_foreign_test(${code} ${code})
+endforeach()
+# What `assay export` writes, run by others and judged (docs/export.md).
+foreach(case IN ITEMS csv csv-tractions nodal-loads nodal-loads-tractions nodal-loads-ring abaqus abaqus-rivlin abaqus-dynamic
+    abaqus-space lammps fenics fenics-rivlin fenics-kirchhoff)
+  add_foreign_test(export_${case} export_to ${case} $<TARGET_FILE:assay>)
 endforeach()

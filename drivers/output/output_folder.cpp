@@ -26,6 +26,22 @@ namespace {
 constexpr const char* last_file = "result.json";
 constexpr const char* our_table = "xi,t,gamma,";  ///< how the tables of tabulate begin
 
+/// The folders in `root` in which a file of that name lies; those that were made, the outermost first.
+std::vector<fs::path> make_parents(const fs::path& root, const fs::path& name) {
+  std::vector<fs::path> made;
+  fs::path folder = root;
+  for (const fs::path& part : name.parent_path()) {
+    folder /= part;
+    std::error_code error;
+    const bool is_new = fs::create_directory(folder, error);
+    if (error) fail(folder, "folder cannot be created", error);
+    if (!is_new) continue;
+    made.push_back(folder);
+    fs::permissions(folder, fs::perms::owner_all, fs::perm_options::add, error);  // whatever the umask
+  }
+  return made;
+}
+
 /// Renames that can be taken back.
 class Moves {
  public:
@@ -177,6 +193,7 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
   const fs::file_status there = fs::symlink_status(final_path, error);
   if (fs::is_directory(there)) fail(final_path, "cannot be replaced", EISDIR);
   if (std::find(staged_.begin(), staged_.end(), name) == staged_.end()) staged_.push_back(name);
+  make_parents(staging_, name);
   fs::remove(staging_ / name, error);  // under a strict umask it could not be opened again
   try {
     write_bytes(staging_ / name, bytes, O_CREAT | O_EXCL);
@@ -208,6 +225,9 @@ std::vector<std::string> OutputFolder::replaced() const {
     if (written || (complete && is_stale(name))) names.push_back(name);
   }
   if (error) fail(target_, "folder cannot be read", error);
+  for (const std::string& name : staged_) {  // of sub-folders
+    if (name.find('/') != name.npos && fs::exists(fs::symlink_status(target_ / name, error))) names.push_back(name);
+  }
   std::sort(names.begin(), names.end());
   std::stable_partition(names.begin(), names.end(), [](const std::string& name) { return name == last_file; });
   return names;
@@ -224,8 +244,12 @@ void OutputFolder::commit() {
   std::stable_partition(staged_.begin(), staged_.end(), [](const std::string& name) { return name != last_file; });
 
   Moves moves;
-  for (const std::string& name : replaced()) moves.move(target_ / name, old / name);
+  for (const std::string& name : replaced()) {
+    make_parents(old, name);
+    moves.move(target_ / name, old / name);
+  }
   for (const std::string& name : staged_) {
+    for (const fs::path& made : make_parents(target_, name)) made_.push_back(made);
     if (name == last_file) sync_path(target_);
     moves.move(staging_ / name, target_ / name);
   }

@@ -35,7 +35,8 @@ class OutputFolder {
   /// Refuses (InputError) what was read and lies in the folder under a name of the result, which would replace it.
   void keep_inputs() const;
 
-  /// Stages one file: all bytes on the disk, or SystemError. The name must match one of the patterns.
+  /// Stages one file: all bytes on the disk, or SystemError. The name must match one of the patterns; with a slash in
+  /// it the file lies in a sub-folder.
   void write(const std::string& name, std::string_view bytes);
 
   /// Publishes everything; result.json goes first and comes back last, so that a folder that holds one is complete.
