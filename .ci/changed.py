@@ -23,7 +23,7 @@ CALLS = {
                    r"bench/(compare_spine|minimal_step|effect_scenes)|configs/paper/",
     "mutants": HOW + r"drivers/|mpm/|adapters/|harness/|tests/fuzz/",
     "long": HOW + r"drivers/|mpm/|adapters/|harness/|tests/|configs/|docs/check[.]md",
-    "foreign": r"drivers/library/|tests/foreign",
+    "foreign": r"drivers/(library|export|judge|templates/export)/|tests/foreign",
     "bench": HOW + r"bench/",
     "package": HOW + r"tests/(package|downstream)/|harness/assay_material|drivers/library/|adapters/(models|abaqus)/|completions/|configs/|"
                      r"docs/assay[.]1|README|LICENSE|THIRD_PARTY|CHANGELOG",

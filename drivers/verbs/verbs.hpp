@@ -4,7 +4,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "drivers/export/export.hpp"
 #include "drivers/findings/run_options.hpp"
 #include "drivers/material/source_description.hpp"
 
@@ -31,6 +33,36 @@ struct EvalOptions : SceneOptions {
 
 /// Writes the exact fields of a motion at the points into the file `out`. 1 where the material fails.
 int eval(const EvalOptions& options);
+
+/// Writes what another code needs to run the scene. 1 where the material fails.
+int export_scene(const ExportOptions& options);
+
+struct JudgeOptions : SceneOptions {
+  std::vector<std::string> runs;  ///< files or folders, one for each grid
+  std::string map = {};           ///< file or preset; empty: names are recognised
+  std::string spacings = {};      ///< of the runs, "0.1,0.05" [m]; empty: the distance between particles
+  std::string order = {};         ///< that is asked for; empty: none
+  std::string junit = {}, junit_name = {};
+};
+
+/// Measures the output of another code against the scene's exact motion, leaves its findings in the folder and tells of
+/// them. 0 where nothing is wrong, otherwise 1.
+int judge_runs(const JudgeOptions& options);
+
+struct StandardOptions {
+  std::string action = "run";        ///< list, run, export or judge
+  std::string target = {};           ///< of export
+  std::vector<std::string> folders;  ///< results of other codes
+  std::vector<std::string> only;     ///< ids of problems; empty: all
+  int edition = 1;
+  std::string out = "results/standard", markdown = {};
+  bool json = false, quiet = false;
+  std::string program = "/proc/self/exe";  ///< that runs a problem
+};
+
+/// Lists the standard set, runs it or judges it, and leaves the card in the folder. 0 where every problem that was run
+/// is good, otherwise 1.
+int standard(const StandardOptions& options);
 
 using ExplainOptions = SceneOptions;
 

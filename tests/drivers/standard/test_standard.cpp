@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The standard set, its runs and its card.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "drivers/standard/standard_card.hpp"
+#include "drivers/system/whole_file.hpp"
+#include "drivers/verbs/verbs.hpp"
+#include "tests/drivers/refusal.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/built.hpp"
+
+namespace assay::drivers::test_standard {
+namespace {
+
+namespace fs = std::filesystem;
+
+void expect_refused(const std::function<void()>& action, const std::string& key, const std::string& advice) {
+  const std::string line = refusal_of(action);
+  EXPECT_NE(line.find(key), std::string::npos) << line;
+  EXPECT_NE(line.find(advice), std::string::npos) << line;
+}
+
+TEST(StandardSet, EveryProblemIsASceneThatStatesWhatItAsksFor) {
+  const StandardSet set = standard_set();
+  EXPECT_GE(set.problems.size(), 15u);
+  std::size_t histories = 0;
+  for (const StandardProblem& problem : set.problems) {
+    const Scene scene = problem.scene();
+    EXPECT_FALSE(scene.expect.empty()) << problem.id;
+    ASSERT_GE(problem.grids.size(), 3u) << problem.id;
+    EXPECT_TRUE(std::ranges::is_sorted(problem.grids, std::greater())) << problem.id;
+    EXPECT_EQ(problem.text, bytes_of(std::string(ASSAY_SOURCE_DIR) + "/configs/standard/1/" + problem.file()));
+    histories += problem.id.ends_with("_history");
+  }
+  EXPECT_GE(histories, 7u);  // one of each motion
+}
+
+TEST(StandardSet, RefusesWhatItDoesNotHave) {
+  expect_refused([&] { standard_set(2); }, "--edition", "1 to 1");
+  expect_refused([&] { standard_set(1, {"vortex"}); }, "--only", "vortex_mild");
+}
+
+TEST(StandardSet, NamesOfGridsAreReadBack) {
+  constexpr double six_digits = 5e-6;
+  for (const double h : {0.1, 0.025, 1.0 / 6, 2.0}) EXPECT_NEAR(*grid_of_name(folder_of_grid(h)), h, six_digits * h);
+  EXPECT_EQ(*grid_of_name("h_0.05.csv"), 0.05);
+  EXPECT_EQ(*grid_of_name("run_h0.05.npz"), 0.05);
+  EXPECT_FALSE(grid_of_name("scene.yaml"));
+  EXPECT_FALSE(grid_of_name("judge.json"));
+}
+
+class StandardRun : public testing::Test {
+ protected:
+  StandardOptions options(const std::string& action, const std::string& out) {
+    StandardOptions given;
+    given.action = action;
+    given.only = {"rotating_stretch", "vortex3d"};
+    given.out = scratch_ / out;
+    given.quiet = true;
+    given.program = built("assay");
+    return given;
+  }
+  int status_of(const StandardOptions& given) {
+    testing::internal::CaptureStdout();
+    const int status = standard(given);
+    said_ = testing::internal::GetCapturedStdout();
+    return status;
+  }
+  nlohmann::json card(const std::string& out) {
+    return nlohmann::json::parse(bytes_of(scratch_ / (out + "/card.json")));
+  }
+  ScratchFolder scratch_;
+  std::string said_;
+};
+
+TEST_F(StandardRun, LeavesACardThatAnotherJudgementRepeats) {
+  EXPECT_EQ(status_of(options("run", "own")), 0) << said_;
+  const auto own = card("own");
+  ASSERT_EQ(own["codes"].size(), 2u);
+  for (const auto& code : own["codes"]) {
+    EXPECT_TRUE(code["rows"][0]["good"]);
+    EXPECT_GT(code["rows"][0]["order"], 1.5);
+    EXPECT_GT(code["rows"][0]["grids"][0]["core_s"], 0);
+    EXPECT_TRUE(code["rows"][1]["grids"].empty());  // in space
+    EXPECT_FALSE(code["machine"].is_null());
+  }
+  for (const char* file : {"card.md", "card.html"})
+    EXPECT_GT(bytes_of(scratch_ / ("own/" + std::string(file))).size(), 300u);
+  StandardOptions again = options("judge", "again");
+  again.folders = {scratch_ / "own/total_b2"};
+  EXPECT_EQ(status_of(again), 0) << said_;
+  EXPECT_EQ(card("again")["codes"][0]["rows"][0], own["codes"][0]["rows"][0]);
+}
+
+TEST_F(StandardRun, ARunThatEndsEarlyOrIsDamagedIsNotGood) {
+  ASSERT_EQ(status_of(options("run", "own")), 0);
+  const fs::path run = fs::path(scratch_ / "own") / "cpdi2/rotating_stretch/h_0.0625";
+  std::string collection = bytes_of((run / "particles.pvd").string());
+  const std::size_t cut = collection.find("<DataSet", collection.size() / 2);
+  collection.replace(cut, collection.find("</Collection>") - cut, "");
+  write_file(run / "particles.pvd", collection);
+  StandardOptions again = options("judge", "again");
+  again.folders = {scratch_ / "own/cpdi2"};
+  EXPECT_EQ(status_of(again), 1);
+  const auto row = card("again")["codes"][0]["rows"][0];
+  EXPECT_FALSE(row["good"]);
+  EXPECT_EQ(row["causes"], nlohmann::json({"ends_early"}));
+}
+
+TEST_F(StandardRun, AFolderWithoutResultsIsRefused) {
+  StandardOptions given = options("judge", "card");
+  given.folders = {scratch_ / "."};
+  expect_refused([&] { standard(given); }, "", "ID/h_0.1");
+  given.folders.clear();
+  expect_refused([&] { standard(given); }, "FOLDER", "needs folders");
+}
+
+}  // namespace
+}  // namespace assay::drivers::test_standard
