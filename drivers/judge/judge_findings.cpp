@@ -86,6 +86,15 @@ JudgedGrid judged_grid(JudgedRun run, std::vector<Label> labels, double half_per
     }
     grid.history.push_back(frame.sample);
   }
+  const auto largest_error = std::ranges::max_element(grid.history, {}, [](const ErrorSample& sample) {
+    return std::isfinite(sample.displacement.l2) ? sample.displacement.l2 : -1;
+  });
+  if (exact.dimension() == 2 && largest_error != grid.history.end() && std::isfinite(largest_error->displacement.l2)) {
+    const ParticleFrame picture =
+        picture_of(run.frames[static_cast<std::size_t>(largest_error - grid.history.begin())], seeds, pairing, exact);
+    if (!picture.x.empty()) grid.picture = png_of(picture);
+    grid.picture_caption = "Error of the positions where it is largest, " + picture.caption + ", on the finest grid.";
+  }
   grid.error = figures_of(grid.history, half_period, end, largest);
   leave_out_missing(grid.error, grid.history);
   if (only_at_rest(run, half_period)) {

@@ -42,6 +42,8 @@ struct JudgedGrid {
   Figure seconds, cores;
   std::string machine;
   std::vector<ErrorSample> history = {};  ///< errors.csv
+  std::string picture = {};               ///< error.png: particles at the time of the largest error; in the plane
+  std::string picture_caption = {};
 
   static void fields(auto& self, auto& archive) {
     archive("name", self.name, "", "file or folder of the run");

@@ -7,6 +7,7 @@
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/html.hpp"
 #include "drivers/output/junit.hpp"
+#include "drivers/output/report.hpp"
 #include "drivers/picture/line_plot.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
@@ -136,6 +137,8 @@ std::string judge_html(const JudgeFindings& findings, const std::string& resolve
                                    "u at T/2", "u at T", "v [m/s]", "F", "J", "stress [Pa]"},
                                   rows) +
                             "</div>" + "<figure>" + svg(over_time) + "</figure>\n");
+  if (const JudgedGrid& finest = findings.runs.back(); !finest.picture.empty())
+    body += pictures_section({{finest.picture_caption, finest.picture}});
   if (of_h.x.size() > 1) {
     for (const int slope : {1, 2}) {
       Series line{"order " + std::to_string(slope), {of_h.x.front(), of_h.x.back()}, {}, true, false, true};

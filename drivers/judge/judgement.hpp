@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drivers/judge/pairing.hpp"
+#include "drivers/picture/value_pictures.hpp"
 #include "drivers/result/result_sections.hpp"
 
 namespace assay::drivers {
@@ -26,6 +27,12 @@ struct FrameErrors {
 
 /// Of each frame. Where a field is not written, its error is NaN.
 std::vector<FrameErrors> errors_of(const JudgedRun& run, const Seeds& seeds, Pairing pairing, ExactParticles& exact);
+
+/// The plane particles of a frame, coloured by the errors of their positions; those of a frame that is empty are none.
+ParticleFrame picture_of(const JudgedFrame& frame, const Seeds& seeds, Pairing pairing, ExactParticles& exact);
+
+/// A PNG file of at least one particle.
+std::string png_of(const ParticleFrame& frame);
 
 /// Roots of mean squares over all frames [m].
 struct PositionError {

@@ -110,7 +110,7 @@ JudgeFindings findings_of(Scene scene, const JudgeTask& task) {
 }
 
 std::vector<std::string> judge_files() {
-  return {"judge.json", "report.html", "errors.csv", "errors_#.csv", "resolved.yaml", "result.json"};
+  return {"judge.json", "report.html", "errors.csv", "errors_#.csv", "error.png", "resolved.yaml", "result.json"};
 }
 
 std::string write_findings(const JudgeFindings& findings, const Scene& scene, OutputFolder& folder) {
@@ -119,6 +119,7 @@ std::string write_findings(const JudgeFindings& findings, const Scene& scene, Ou
     folder.write(finest ? "errors.csv" : "errors_" + std::to_string(k + 1) + ".csv",
                  errors_csv(findings.runs[k].history));
   }
+  if (!findings.runs.back().picture.empty()) folder.write("error.png", findings.runs.back().picture);
   const std::string resolved = resolved_yaml(scene);
   folder.write("resolved.yaml", resolved);
   folder.write("report.html", judge_html(findings, resolved, scene.motion->period()));

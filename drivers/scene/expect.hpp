@@ -36,9 +36,9 @@ std::string expectation_yaml(const Expectation& expectation);
 /// What a figure is to an expectation of it. A figure that was not reached or is not a number holds nothing.
 ExpectationOutcome judged(const Expectation& line, const FlatValue& found);
 
-/// One outcome a line, in their order, but for lines of orders. A figure that was not reached or is not a number holds nothing. Behind them what
-/// is expected of any response, where it fails and no line is of the same figure: a stated error of tau or of its slope
-/// below 0.05, or below 100 times force.tolerance where that is more.
+/// One outcome a line, in their order, but for lines of orders. A figure that was not reached or is not a number holds
+/// nothing. Behind them what is expected of any response, where it fails and no line is of the same figure: a stated
+/// error of tau or of its slope below 0.05, or below 100 times force.tolerance where that is more.
 std::vector<ExpectationOutcome> judge(const std::vector<Expectation>& expectations, const Result& result);
 
 /// What a repetition of a run that failed is to find: its outcome, and errors of the response that are as large.

@@ -55,15 +55,22 @@ constexpr const char* meaning =
     "the finest grid, as a share of the largest displacement. The cost in core s is seconds times cores of that run. A "
     "row without figures was not run";
 
+/// At each underscore, on a narrow screen.
+std::string may_break(std::string id) {
+  for (std::size_t at = id.find('_'); at != id.npos; at = id.find('_', at + 1)) id.insert(at + 1, "<wbr>");
+  return id;
+}
+
 std::string html_of_code(const CardCode& code) {
   using namespace html;
   std::vector<std::vector<std::string>> rows;
   std::string remarks;
   for (const CardRow& row : code.rows) {
     std::vector<std::string> cells;
-    for (const std::string& cell : cells_of(row)) cells.push_back(escaped(cell));
+    for (const std::string& cell : cells_of(row)) cells.push_back(may_break(escaped(cell)));
     rows.push_back(std::move(cells));
-    if (const std::string why = remark(row); !why.empty()) remarks += "<li>" + escaped(row.id + ": " + why) + "</li>\n";
+    if (const std::string why = row.was_run() ? remark(row) : std::string(); !why.empty())
+      remarks += "<li>" + escaped(row.id + ": " + why) + "</li>\n";
   }
   return section(escaped(code.name),
                  element("p", escaped(score(code) + (code.machine.empty() ? "" : "; ") + code.machine)) +

@@ -50,6 +50,14 @@ TEST_F(JudgeVerdicts, ABodyThatDoesNotMoveIsNotGood) {
   EXPECT_TRUE(says(found, "of the motion itself")) << found.json["verdict"];
 }
 
+TEST_F(JudgeVerdicts, APictureShowsTheParticlesWhereTheErrorIsLargest) {
+  of_runs({file("run.csv", planted_)});
+  const std::string page = bytes_of(scratch_ / "verdict/report.html");
+  EXPECT_TRUE(bytes_of(scratch_ / "verdict/error.png").starts_with("\x89PNG"));
+  EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
+  EXPECT_NE(page.find("t = 1 s"), std::string::npos);  // the planted error grows
+}
+
 TEST_F(JudgeVerdicts, AnErrorThatDoesNotFallIsNotGood) {
   const std::string run = file("run.csv", planted_);
   const Verdict found = of_runs({run, run}, "0.1,0.05");
