@@ -208,7 +208,7 @@ NairnFunctions nairn_force(const ForcePieces& pieces) {
     return "(sign(" + say.plus(x, -lower) + ")-sign(" + say.plus(x, -upper) + "))";
   };
   const auto factor = [&](std::size_t slab, std::size_t ring) {
-    const std::string here = between(R, pieces.radii[ring], pieces.radii[ring + 1]);
+    std::string here = between(R, pieces.radii[ring], pieces.radii[ring + 1]);
     const bool first = slab == 0, last = slab + 1 == pieces.slabs();
     if (first && last) return here;
     const std::string later = "sign(" + say.plus("t", -pieces.times[slab]) + ")";

@@ -45,7 +45,7 @@ struct ForceFit {
   double tolerance = 1e-6;  ///< of b, relative to the largest
   double end = 1;           ///< [s]
   std::size_t most_pieces = 48;
-  std::string asked_by = "";  ///< as a message names it: "--to lammps"
+  std::string asked_by = {};  ///< as a message names it: "--to lammps"
 };
 
 /// solution: of a vortex in the plane, in its own frame. Throws InputError where the pieces would be too many, as for a

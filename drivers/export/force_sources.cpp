@@ -40,7 +40,7 @@ std::string fortran_number(const std::string& text) {
 
 std::vector<std::string> number_words(const std::vector<double>& values, bool fortran) {
   return mapped(values, [=](double value) {
-    const std::string text = coefficient_text(value);
+    std::string text = coefficient_text(value);
     return fortran ? fortran_number(text) : text;
   });
 }

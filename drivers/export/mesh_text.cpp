@@ -39,7 +39,7 @@ std::string surface_csv(const ExportedGrid& grid, int dimension) {
 
 std::string deck_number(double value) {
   constexpr int digits = 12;  // with sign, point and exponent 19 characters
-  const std::string text = rounded_text(value, digits);
+  std::string text = rounded_text(value, digits);
   return text.find_first_of(".e") == text.npos ? text + "." : text;
 }
 

@@ -52,7 +52,7 @@ class ArrayBytes {
   ArrayBytes(std::string_view data, bool base64) : raw_(data), base64_(data), is_base64_(base64) {}
   std::string take(std::size_t bytes) {
     if (is_base64_) return base64_.take(bytes);
-    const std::string found(raw_.substr(0, bytes));
+    std::string found(raw_.substr(0, bytes));
     raw_.remove_prefix(found.size());
     return found;
   }

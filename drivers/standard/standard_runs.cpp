@@ -42,7 +42,7 @@ std::string fault_of(const fs::path& run, const ProcessEnd& end) {
   if (!fs::is_regular_file(run / "result.json", code)) return end.last_line;
   const auto result = nlohmann::json::parse(read_bytes((run / "result.json").string()), nullptr, false);
   if (result.is_discarded() || !result.contains("outcome")) return "its result.json is damaged";
-  const std::string outcome = result["outcome"];
+  std::string outcome = result["outcome"];
   if (outcome == "completed") {
     write_cost(run, result.value("step_cpu_s", 0.0));
     return {};

@@ -18,7 +18,7 @@ constexpr double peri_skin = 0.2;  ///< of the lattice constant
 
 std::string refusal_of_lammps(const ExportedProblem& problem) {
   if (problem.dimension == 2 || problem.quasi_static) return fault_of_expressions(problem, "LAMMPS");
-  if (const std::string why = refusal_of_loaded_surface(problem); !why.empty()) return why;
+  if (std::string why = refusal_of_loaded_surface(problem); !why.empty()) return why;
   if (rest_moduli(*problem.material)) return {};
   return "peri/lps is an isotropic elastic solid, and the material is none: use --to csv";
 }
