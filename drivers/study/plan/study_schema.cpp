@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/result/result_json.hpp"
+#include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/study/plan/study.hpp"
 
