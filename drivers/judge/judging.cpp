@@ -35,10 +35,6 @@ void take_cost(const JudgeCost& cost, std::size_t k, std::size_t runs, const std
   grid.cores = cost.cores, grid.machine = cost.machine;
 }
 
-}  // namespace
-
-namespace {
-
 /// Throws InputError where the spacings that are given do not go with the distances between particles.
 void check_spacings(const std::vector<JudgedGrid>& runs, std::vector<std::string>& warnings) {
   constexpr double far = 30;
@@ -110,7 +106,7 @@ JudgeFindings findings_of(Scene scene, const JudgeTask& task) {
 }
 
 std::vector<std::string> judge_files() {
-  return {"judge.json", "report.html", "errors.csv", "errors_#.csv", "error.png", "resolved.yaml", "result.json"};
+  return {"judge.json", "report.html", "errors.csv", "errors_#.csv", "error.png", "resolved.yaml"};
 }
 
 std::string write_findings(const JudgeFindings& findings, const Scene& scene, OutputFolder& folder) {

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <stdexcept>
@@ -23,7 +24,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* last_file = "result.json";
+/// Results of which a folder holds one kind, for their files bear the same names.
+struct Kind {
+  const char* last_file;  ///< which marks a complete result
+  const char* results;
+  bool reports;  ///< in report.html
+};
+constexpr std::array kinds{Kind{"result.json", "a run", true}, Kind{"study.json", "a study", true},
+                           Kind{"judge.json", "a judgement", true}, Kind{"card.json", "a card", false}};
+
 constexpr const char* our_table = "xi,t,gamma,";  ///< how the tables of tabulate begin
 
 /// The folders in `root` in which a file of that name lies; those that were made, the outermost first.
@@ -70,10 +79,16 @@ bool is_among(const std::vector<std::string>& patterns, const std::string& name)
   });
 }
 
+/// Null where the names are of no kind.
+const Kind* kind_of(const std::vector<std::string>& names) {
+  const auto kind = std::ranges::find_if(kinds, [&](const Kind& each) { return is_among(names, each.last_file); });
+  return kind == kinds.end() ? nullptr : &*kind;
+}
+
 }  // namespace
 
 std::vector<std::string> result_files() {
-  return {last_file,       "errors.csv",   "resolved.yaml", "particles.pvd",     "particles_#.vtu", "report.html",
+  return {"result.json",   "errors.csv",   "resolved.yaml", "particles.pvd",     "particles_#.vtu", "report.html",
           "error.png",     "shear.png",    "jacobian.png",  "error_history.png", "replay.yaml",     "replay_scene.yaml",
           "last_good.vtu", "material.log", "sheet.csv",     "curve.csv",         "tau.png",         "slope.png",
           "sheet.png",     "history.csv",  "histories.png", "+points.csv"};
@@ -81,6 +96,7 @@ std::vector<std::string> result_files() {
 
 OutputFolder::OutputFolder(fs::path target, std::vector<std::string> names)
     : target_(target.empty() ? fs::path(".") : std::move(target)), names_(std::move(names)) {
+  if (const Kind* kind = kind_of(names_)) last_file_ = kind->last_file;
   constexpr std::size_t most_files_at_once = 8;  // with fewer what is staged cannot be cleared away
   require_open_files(most_files_at_once);
   put_files_right();
@@ -155,19 +171,16 @@ void OutputFolder::make_staging() {
   if (error) fail(target_, "folder cannot be written to", error);
 }
 
-/// A run and a study both write report.html.
 void OutputFolder::refuse_another_kind(const fs::path& target, const std::vector<std::string>& names) {
+  const Kind* mine = kind_of(names);
+  if (!mine || !mine->reports) return;
   std::error_code error;
-  const auto other = [&](const char* mine, const char* theirs) {
-    return is_among(names, mine) && fs::is_regular_file(target / theirs, error);
-  };
-  constexpr const char* study = "study.json";
-  const char* const words = other(last_file, study)   ? "study (study.json), and a run would replace its report.html"
-                            : other(study, last_file) ? "run (result.json), and a study would replace its report.html"
-                                                      : nullptr;
-  if (words)
+  for (const Kind& other : kinds) {
+    if (&other == mine || !other.reports || !fs::is_regular_file(target / other.last_file, error)) continue;
     throw InputError({target.string(), 0, 0}, "",
-                     std::string("holds the results of a ") + words + ": choose another folder with -o");
+                     std::string("holds the results of ") + other.results + " (" + other.last_file + "), and " +
+                         mine->results + " would replace its report.html: choose another folder with -o");
+  }
 }
 
 bool OutputFolder::is_ours(const std::string& name) const { return is_among(names_, name); }
@@ -217,7 +230,7 @@ bool OutputFolder::is_stale(const std::string& name) const {
 std::vector<std::string> OutputFolder::replaced() const {
   std::vector<std::string> names;
   std::error_code error;
-  const bool complete = fs::exists(fs::symlink_status(target_ / last_file, error));
+  const bool complete = !last_file_.empty() && fs::exists(fs::symlink_status(target_ / last_file_, error));
   for (fs::directory_iterator entry(target_, error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     if (entry->symlink_status(error).type() == fs::file_type::directory) continue;
@@ -229,7 +242,7 @@ std::vector<std::string> OutputFolder::replaced() const {
     if (name.find('/') != name.npos && fs::exists(fs::symlink_status(target_ / name, error))) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
-  std::stable_partition(names.begin(), names.end(), [](const std::string& name) { return name == last_file; });
+  std::stable_partition(names.begin(), names.end(), [&](const std::string& name) { return name == last_file_; });
   return names;
 }
 
@@ -241,7 +254,7 @@ void OutputFolder::commit() {
   fs::create_directory(old, error);
   if (!error) fs::permissions(old, fs::perms::owner_all, error);
   if (error) fail(target_, "folder cannot be written to", error);
-  std::stable_partition(staged_.begin(), staged_.end(), [](const std::string& name) { return name != last_file; });
+  std::stable_partition(staged_.begin(), staged_.end(), [&](const std::string& name) { return name != last_file_; });
 
   Moves moves;
   for (const std::string& name : replaced()) {
@@ -250,7 +263,7 @@ void OutputFolder::commit() {
   }
   for (const std::string& name : staged_) {
     for (const fs::path& made : make_parents(target_, name)) made_.push_back(made);
-    if (name == last_file) sync_path(target_);
+    if (name == last_file_) sync_path(target_);
     moves.move(staging_ / name, target_ / name);
   }
   moves.keep();

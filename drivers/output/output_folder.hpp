@@ -19,9 +19,9 @@ std::vector<std::string> result_files();
 class OutputFolder {
  public:
   /// Creates `target` and its parents where they are missing, and the staging folder inside it. `names` are the
-  /// patterns of the files that a result may hold. Refuses (InputError) a run in the folder of a study, and the
-  /// reverse. Where the folder holds a complete result (result.json), commit() removes the files that match them and
-  /// were not written again; it never removes any other file.
+  /// patterns of the files that a result may hold. Refuses (InputError) the folder of another kind of results. Where
+  /// the folder holds a complete result (its last file, as result.json of a run), commit() removes the files that match
+  /// them and were not written again; it never removes any other file.
   explicit OutputFolder(std::filesystem::path target, std::vector<std::string> names = result_files());
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -29,7 +29,8 @@ class OutputFolder {
   /// folder is as it was.
   ~OutputFolder();
 
-  /// Refuses (InputError) a folder that holds the results of another kind: a run's for a study, and the reverse.
+  /// Refuses (InputError) a folder that holds the results of another kind: a run, a study and a judgement write files
+  /// of the same names.
   static void refuse_another_kind(const std::filesystem::path& target, const std::vector<std::string>& names);
 
   /// Refuses (InputError) what was read and lies in the folder under a name of the result, which would replace it.
@@ -39,8 +40,8 @@ class OutputFolder {
   /// it the file lies in a sub-folder.
   void write(const std::string& name, std::string_view bytes);
 
-  /// Publishes everything; result.json goes first and comes back last, so that a folder that holds one is complete.
-  /// When it fails half-way everything is put back.
+  /// Publishes everything; the last file of its kind goes first and comes back last, so that a folder that holds one is
+  /// complete. When it fails half-way everything is put back.
   void commit();
 
   const std::filesystem::path& target() const { return target_; }
@@ -56,6 +57,7 @@ class OutputFolder {
 
   std::filesystem::path target_, staging_;
   std::vector<std::string> names_, staged_;
+  std::string last_file_;                    ///< which marks a complete result; empty: these files have none
   std::vector<std::filesystem::path> made_;  ///< folders that the constructor made, outermost first
   int lock_ = -1;                            ///< descriptor of the folder itself
 };

@@ -58,6 +58,25 @@ TEST_F(JudgeVerdicts, APictureShowsTheParticlesWhereTheErrorIsLargest) {
   EXPECT_NE(page.find("t = 1 s"), std::string::npos);  // the planted error grows
 }
 
+TEST_F(JudgeVerdicts, ResultsOfARunAreNotReplaced) {
+  fs::create_directory(scratch_ / "verdict");
+  for (const char* name : {"verdict/result.json", "verdict/report.html"}) scratch_.write(name, "of a run");
+  const std::string line = refusal_of([&] { of_runs({file("run.csv", planted_)}); });
+  EXPECT_NE(line.find("a run (result.json)"), std::string::npos) << line;
+  EXPECT_EQ(bytes_of(scratch_ / "verdict/result.json"), "of a run");
+  EXPECT_EQ(bytes_of(scratch_ / "verdict/report.html"), "of a run");
+}
+
+TEST_F(JudgeVerdicts, OfFewerRunsLeaveNoTablesOfAnEarlierOne) {
+  const std::string run = file("run.csv", planted_);
+  const std::string finer = file("finer.csv", Planted(planted_.scene_file, 0.25 * Planted::error));
+  of_runs({run, finer}, "0.1,0.05");
+  EXPECT_TRUE(fs::exists(scratch_ / "verdict/errors_1.csv"));
+  of_runs({finer});
+  EXPECT_FALSE(fs::exists(scratch_ / "verdict/errors_1.csv"));
+  EXPECT_TRUE(fs::exists(scratch_ / "verdict/errors.csv"));
+}
+
 TEST_F(JudgeVerdicts, AnErrorThatDoesNotFallIsNotGood) {
   const std::string run = file("run.csv", planted_);
   const Verdict found = of_runs({run, run}, "0.1,0.05");
