@@ -94,7 +94,7 @@ struct Target {
   const char* name;  ///< of --to
   const char* doc;   ///< one line
   SeedPlace seeds;
-  /// Why this problem cannot be exported so, as a sentence; empty: it can.
+  /// Why this problem cannot be exported so, as a sentence; empty: it can. Null: every problem can.
   std::string (*refusal)(const ExportedProblem& problem);
   Deck (*write)(const ExportedProblem& problem);
 };

@@ -67,7 +67,7 @@ ExportedProblem export_problem(const ExportOptions& options, const Target& targe
   problem.density = scene.material.density;
   for (const double h : ladder)
     problem.grids.push_back(grid_of(h, body, problem.dimension, problem.density, target.seeds));
-  if (const std::string why = target.refusal(problem); !why.empty())
+  if (const std::string why = target.refusal ? target.refusal(problem) : ""; !why.empty())
     throw InputError({options.scene, 0, 0}, "--to " + std::string(target.name), why);
   problem.scene_yaml = resolved_yaml(scene);
   problem.scene_sha256 = sha256_hex(problem.scene_yaml);

@@ -6,6 +6,7 @@
 #include "drivers/format/particle_tables.hpp"
 #include "drivers/system/input_bytes.hpp"
 #include "drivers/system/input_error.hpp"
+#include "drivers/text/natural_order.hpp"
 #include "drivers/text/unseen.hpp"
 
 #ifdef ASSAY_HDF5
@@ -64,7 +65,7 @@ class Hdf5File {
     if (!group.good()) fail("the group " + shown(path, 60) + " cannot be read");
     Group found{path, {}, {}};
     H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, note_member, &found);
-    std::ranges::sort(found.groups, in_order);
+    std::ranges::sort(found.groups, in_natural_order);
     std::vector<ShapedArray> arrays;
     for (const std::string& name : found.arrays) add_array(group, name, arrays);
     const bool has_rows = std::ranges::any_of(arrays, [](const ShapedArray& array) { return !array.shape.empty(); });
@@ -90,18 +91,6 @@ class Hdf5File {
     if (H5Iget_type(member) == H5I_DATASET) found.arrays.emplace_back(name);
     if (H5Iget_type(member) == H5I_GROUP) found.groups.emplace_back(name);
     return 0;
-  }
-
-  /// "step_9" before "step_10".
-  static bool in_order(const std::string& a, const std::string& b) {
-    const auto digits = [](const std::string& text) {
-      const std::size_t first = text.find_last_not_of("0123456789") + 1;
-      return std::pair(text.substr(0, first), text.substr(first));
-    };
-    const auto [a_word, a_number] = digits(a);
-    const auto [b_word, b_number] = digits(b);
-    if (a_word != b_word) return a_word < b_word;
-    return a_number.size() != b_number.size() ? a_number.size() < b_number.size() : a_number < b_number;
   }
 
   void add_array(hid_t group, const std::string& name, std::vector<ShapedArray>& arrays) const {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <map>
 
 namespace assay::drivers {
 
@@ -120,29 +121,15 @@ std::optional<std::string> vtk_bytes(std::string_view text, bool base64, const V
 }
 
 bool append_vtk_numbers(const std::string& bytes, std::string_view type, bool swapped, std::vector<double>& values) {
-  const auto as = [&](auto value) { append_as<decltype(value)>(bytes, swapped, values); };
-  if (type == "Float64")
-    as(double{});
-  else if (type == "Float32")
-    as(float{});
-  else if (type == "Int64")
-    as(std::int64_t{});
-  else if (type == "UInt64")
-    as(std::uint64_t{});
-  else if (type == "Int32")
-    as(std::int32_t{});
-  else if (type == "UInt32")
-    as(std::uint32_t{});
-  else if (type == "Int16")
-    as(std::int16_t{});
-  else if (type == "UInt16")
-    as(std::uint16_t{});
-  else if (type == "Int8")
-    as(std::int8_t{});
-  else if (type == "UInt8")
-    as(std::uint8_t{});
-  else
-    return false;
+  using Append = void (*)(std::string, bool, std::vector<double>&);
+  static const std::map<std::string_view, Append> types{
+      {"Float64", append_as<double>},       {"Float32", append_as<float>},        {"Int64", append_as<std::int64_t>},
+      {"UInt64", append_as<std::uint64_t>}, {"Int32", append_as<std::int32_t>},   {"UInt32", append_as<std::uint32_t>},
+      {"Int16", append_as<std::int16_t>},   {"UInt16", append_as<std::uint16_t>}, {"Int8", append_as<std::int8_t>},
+      {"UInt8", append_as<std::uint8_t>}};
+  const auto found = types.find(type);
+  if (found == types.end()) return false;
+  found->second(bytes, swapped, values);
   return true;
 }
 

@@ -37,9 +37,8 @@ const std::vector<PointFields>& ExactParticles::at(const std::vector<Vector3>& X
 
 const std::vector<PointFields>& ExactParticles::velocities(const std::vector<Vector3>& X, double t) {
   of_velocity_.assign(X.size(), {});
-  FieldViews views{};
-  views.dimension = static_cast<std::size_t>(dimension_);
   const FieldViews all = PointFields::views(of_velocity_.data());
+  FieldViews views{};
   views.dimension = all.dimension, views.v = all.v, views.a = all.a;
   places(X).evaluate(*solution_->slice(t), 0, X.size(), views);
   return of_velocity_;

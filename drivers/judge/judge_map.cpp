@@ -142,6 +142,7 @@ const std::vector<std::pair<std::string, std::string>>& presets() {
       {"karamelo",
        "code: Karamelo\nid: id\nX: [x0, y0, z0]\nx: [x, y, z]\nv: [vx, vy, vz]\n"
        "sigma: [s11, s22, s33, s12, s13, s23]\nvolume: volume\n"},
+      {"nairn", "code: NairnMPM\nid: id\nX: [X, Y]\nx: [x, y]\nv: [vx, vy]\ntime: {from: column, column: t}\n"},
       {"fenics", "code: FEniCSx\nid: id\nX: X\nx: x\nv: v\n"},
       {"abaqus", "code: Abaqus\nid: id\nX: [X1, X2, X3]\nu: [U1, U2, U3]\n"}};
   return all;

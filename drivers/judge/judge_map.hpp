@@ -42,7 +42,7 @@ struct JudgeMap {
   double length = 1, time_unit = 1, stress = 1;                ///< SI units in one of the code's
   std::optional<double> velocity;                              ///< likewise; absent: length over time
   JudgeTime time;
-  std::string seeds;         ///< file with id and X of each particle, and perhaps its volume
+  std::string seeds;         ///< file with id and X of each particle, and perhaps its volume; relative to the run
   std::string scene_sha256;  ///< of the scene that the run is of; empty: unknown
   JudgeCost cost;
 

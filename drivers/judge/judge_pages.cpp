@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What judge found, for the terminal, the browser and CI.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,11 +19,6 @@ namespace assay::drivers {
 using namespace html;
 
 namespace {
-
-std::string to_the_right(std::string text, std::size_t width) {
-  if (text.size() < width) text.insert(0, width - text.size(), ' ');
-  return text;
-}
 
 std::string short_figure(const Figure& value) { return value ? rounded_text(*value, 3) : "-"; }
 
@@ -74,10 +71,10 @@ std::string judge_text(const JudgeFindings& findings, const std::string& folder)
       "judge: " + (findings.title.empty() ? findings.scene : findings.title) + ": " + findings.verdict, "", "  ");
   text += "         h [m]  particles  frames   u, L2 max   u, Linf max   at T/2      at T\n";
   for (const JudgedGrid& grid : findings.runs) {
-    text += "  " + to_the_right(short_figure(grid.h), 12) + to_the_right(grouped_text(grid.particles), 11) +
-            to_the_right(std::to_string(grid.frames), 8) + to_the_right(short_figure(grid.error.l2_max), 12) +
-            to_the_right(short_figure(grid.error.linf_max), 14) + to_the_right(short_figure(grid.error.l2_half), 9) +
-            to_the_right(short_figure(grid.error.l2_end), 10) + "\n";
+    text +=
+        fmt::format("  {:>12}{:>11}{:>8}{:>12}{:>14}{:>9}{:>10}\n", short_figure(grid.h), grouped_text(grid.particles),
+                    grid.frames, short_figure(grid.error.l2_max), short_figure(grid.error.linf_max),
+                    short_figure(grid.error.l2_half), short_figure(grid.error.l2_end));
   }
   if (findings.order) text += wrapped(order_words(findings), "  ", "  ");
   for (const ExpectationOutcome& line : findings.expect)

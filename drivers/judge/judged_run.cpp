@@ -179,6 +179,7 @@ std::vector<std::size_t> all_rows(std::size_t n) {
 JudgedRun read_judged_run(const std::string& name, const JudgeMap& map) {
   JudgedRun run;
   run.name = name, run.map = map;
+  run.map.seeds = seeds_file_of(name, map.seeds);
   if (const std::string cost = cost_file_of(name); !cost.empty()) run.map.cost = read_judge_cost(cost);
   TimeOf time_of(map.time);
   std::size_t number = 0;

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "drivers/system/input_error.hpp"
+#include "drivers/text/natural_order.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
 
@@ -15,31 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "dump.9" before "dump.10".
-bool in_natural_order(const std::string& a, const std::string& b) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  std::size_t i = 0, k = 0;
-  while (i < a.size() && k < b.size()) {
-    if (!is_digit(a[i]) || !is_digit(b[k])) {
-      if (a[i] != b[k]) return a[i] < b[k];
-      ++i, ++k;
-      continue;
-    }
-    const auto number = [&](const std::string& text, std::size_t& at) {
-      const std::size_t begin = at;
-      while (at < text.size() && is_digit(text[at])) ++at;
-      const std::size_t zeros = std::min(text.find_first_not_of('0', begin), at);
-      return text.substr(zeros, at - zeros);
-    };
-    const std::string n = number(a, i), m = number(b, k);
-    if (n != m) return n.size() != m.size() ? n.size() < m.size() : n < m;
-  }
-  return a.size() - i < b.size() - k;
-}
-
 [[noreturn]] void refuse_time(const ParticleTable& table, const std::string& what) {
   throw InputError({table.file, 0, 0}, "time", what);
 }
+
 }  // namespace
 
 RunFiles files_of_run(const std::string& run) {
@@ -72,6 +52,20 @@ RunFiles files_of_run(const std::string& run) {
   std::ranges::sort(found.files, in_natural_order);
   std::ranges::sort(found.left_out);
   return found;
+}
+
+std::string seeds_file_of(const std::string& run, const std::string& seeds) {
+  if (seeds.empty() || fs::path(seeds).is_absolute()) return seeds;
+  std::error_code code;
+  const fs::path whole = fs::absolute(run, code).lexically_normal();
+  const fs::path folder = fs::is_directory(whole, code) ? whole / "" : whole;
+  for (const fs::path& beside : {folder.parent_path(), folder.parent_path().parent_path()}) {
+    const fs::path file = beside / seeds;
+    if (fs::is_regular_file(file, code)) return fs::proximate(file, code).string();
+  }
+  if (fs::exists(seeds, code)) return seeds;
+  throw InputError({run, 0, 0}, "seeds",
+                   shown(seeds, 80) + " lies neither in the folder of the run nor in the one above it");
 }
 
 std::string cost_file_of(const std::string& run) {

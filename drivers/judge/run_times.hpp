@@ -20,6 +20,10 @@ struct RunFiles {
 /// the folder has a collection (.pvd), the collection. Throws InputError.
 RunFiles files_of_run(const std::string& run);
 
+/// The file of seeds that a map names, for this run: the one in the run's folder, else in the folder above, for grids
+/// have seeds of their own; else the file as it is named. Empty where the map names none. Throws InputError.
+std::string seeds_file_of(const std::string& run, const std::string& seeds);
+
 /// cost.yaml in the folder of a run, or out.cost.yaml beside out.csv; empty where there is none.
 std::string cost_file_of(const std::string& run);
 

@@ -8,6 +8,7 @@
 #include "drivers/judge/judging.hpp"
 #include "drivers/result/json_fields.hpp"
 #include "drivers/scene/scene_reader.hpp"
+#include "drivers/simulation/problem.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/system/progress.hpp"
 #include "drivers/text/numbers.hpp"
@@ -40,16 +41,17 @@ std::vector<std::pair<double, std::string>> grids_in(const fs::path& folder) {
   return grids;
 }
 
-/// Motion, material and times, which a problem and its export have in common.
-std::string physics_of(const Scene& scene) {
-  std::string physics;
+/// Motion, material and times, which a problem and its export have in common, with what the library of the material
+/// says of it.
+std::string physics_of(Scene scene) {
+  std::string library, physics;
+  material_of(scene, library);
   const std::string resolved = resolved_yaml(scene);
   bool inside = false;
   for (const std::string_view line : split(resolved, '\n')) {
     if (!line.starts_with(' '))
       inside = line.starts_with("motion:") || line.starts_with("material:") || line.starts_with("time:");
-    const bool of_physics = inside && !line.starts_with("  isolation:");  // where a model runs says nothing of it
-    if (of_physics) physics += std::string(line) + "\n";
+    if (inside) physics += std::string(line) + "\n";
   }
   return physics;
 }

@@ -17,8 +17,6 @@ std::string npz_of_table(const ForceTable& table) {
   return npz_bytes({{"t", {table.times}, t}, {"b", {table.times, table.points, table.dimension}, table.values}});
 }
 
-std::string refusal_of_tables(const ExportedProblem&) { return {}; }
-
 /// id, X, Y, NX, NY, area: of each face the particle in its cell, its middle, its normal.
 std::string faces_csv(const ExportedGrid& grid, const std::vector<SurfaceFace>& faces, int dimension) {
   const bool space = dimension == 3;
@@ -68,8 +66,7 @@ Deck csv_deck(const ExportedProblem& problem) {
 }  // namespace
 
 Target target_csv() {
-  return {"csv", "particles and a table of the body force, for any code", SeedPlace::cell_centres, refusal_of_tables,
-          csv_deck};
+  return {"csv", "particles and a table of the body force, for any code", SeedPlace::cell_centres, nullptr, csv_deck};
 }
 
 }  // namespace assay::drivers

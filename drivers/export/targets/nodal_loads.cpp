@@ -9,8 +9,6 @@ namespace assay::drivers {
 
 namespace {
 
-std::string no_refusal(const ExportedProblem&) { return {}; }
-
 std::string support_words(const ExportedProblem& problem) {
   if (problem.rests_at_edge)
     return problem.quasi_static ? "Hold the nodes of `surface.csv`: nothing else supports the body."
@@ -48,8 +46,8 @@ Deck nodal_loads_deck(const ExportedProblem& problem) {
 }  // namespace
 
 Target target_nodal_loads() {
-  return {"nodal-loads", "a mesh and consistent nodal forces, for any finite element code", SeedPlace::nodes,
-          no_refusal, nodal_loads_deck};
+  return {"nodal-loads", "a mesh and consistent nodal forces, for any finite element code", SeedPlace::nodes, nullptr,
+          nodal_loads_deck};
 }
 
 }  // namespace assay::drivers

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "drivers/format/npy.hpp"
+#include "drivers/format/npz.hpp"
 #include "drivers/format/particle_tables.hpp"
-#include "drivers/format/zip.hpp"
 #include "drivers/output/html.hpp"
 #include "drivers/output/vtu.hpp"
 #include "drivers/system/input_error.hpp"
@@ -183,23 +183,21 @@ std::string npy(const Values& values, const std::vector<std::uint64_t>& shape) {
   return npy_header(shape) + std::string(bytes_of_numbers(values));
 }
 
-std::string npz(const std::vector<std::pair<std::string, std::string>>& members) {
-  ZipLayout layout;
-  for (const auto& [name, bytes] : members) layout.add(name + ".npy", bytes.size());
-  for (std::size_t k = 0; k < members.size(); ++k) layout.count(k, members[k].second);
-  std::string whole;
-  const auto put = [&](std::uint64_t at, const std::string& bytes) {
-    whole.resize(std::max<std::size_t>(whole.size(), at + bytes.size()));
-    whole.replace(at, bytes.size(), bytes);
-  };
-  for (const auto& piece : layout.pieces()) put(piece.at, piece.bytes);
-  for (std::size_t k = 0; k < members.size(); ++k) put(layout.begin(k), members[k].second);
-  return whole;
+struct Member {
+  std::string name;
+  Values values;
+  std::vector<std::uint64_t> shape;
+};
+
+std::string npz(const std::vector<Member>& members) {
+  std::vector<NpzArray> arrays;
+  for (const Member& each : members) arrays.push_back({each.name, each.shape, each.values});
+  return npz_bytes(arrays);
 }
 
 TEST_F(ParticleTables, OfArraysOfNumPy) {
-  const ParticleTable one = table(
-      "a.npz", npz({{"t", npy({0.5}, {})}, {"x", npy({1, 2, 3, 4}, {2, 2})}, {"F", npy(Values(18, 1.5), {2, 3, 3})}}));
+  const ParticleTable one =
+      table("a.npz", npz({{"t", {0.5}, {}}, {"x", {1, 2, 3, 4}, {2, 2}}, {"F", Values(18, 1.5), {2, 3, 3}}}));
   EXPECT_EQ(one.time, 0.5);
   EXPECT_EQ(one.rows, 2u);
   EXPECT_EQ(array(one, "x", 2), (Values{1, 2, 3, 4}));
@@ -207,14 +205,12 @@ TEST_F(ParticleTables, OfArraysOfNumPy) {
   // two times of ten particles
   Values x(40);
   for (std::size_t k = 0; k < x.size(); ++k) x[k] = static_cast<double>(k);
-  const auto two =
-      tables("b.npz", npz({{"t", npy({0, 1}, {2})}, {"id", npy(Values(10, 3), {10})}, {"x", npy(x, {2, 10, 2})}}));
+  const auto two = tables("b.npz", npz({{"t", {0, 1}, {2}}, {"id", Values(10, 3), {10}}, {"x", x, {2, 10, 2}}}));
   ASSERT_EQ(two.size(), 2u);
   EXPECT_EQ(two[1].time, 1);
   EXPECT_EQ(array(two[1], "x", 2)[0], 20);
   EXPECT_EQ(array(two[1], "id"), Values(10, 3));
-  EXPECT_NE(refusal("c.npz", npz({{"x", npy({1, 2}, {2})}, {"y", npy({1, 2, 3}, {3})}})).find("3 rows"),
-            std::string::npos);
+  EXPECT_NE(refusal("c.npz", npz({{"x", {1, 2}, {2}}, {"y", {1, 2, 3}, {3}}})).find("3 rows"), std::string::npos);
 }
 
 /// Foreign files are not trusted: whatever they hold, they are read or refused in one line.
@@ -226,7 +222,7 @@ TEST_F(ParticleTables, OfDamagedBytesAreReadOrRefused) {
       {"a.csv", "t,id,x,y\n0,1,0.5,0.25\n0,2,1.5,1.25\n1,1,0.5,0.25\n1,2,nan,1.25\n"},
       {"dump.10", dump},
       {"a.vtu", vtu_text(positions, {{"velocity", 3, std::span<const double>(velocities)}}, 0.25)},
-      {"a.npz", npz({{"t", npy({0.5}, {})}, {"x", npy({1, 2, 3, 4}, {2, 2})}})},
+      {"a.npz", npz({{"t", {0.5}, {}}, {"x", {1, 2, 3, 4}, {2, 2}}})},
       {"x.npy", npy({1, 2, 3, 4}, {2, 2})}};
   constexpr int tries = 400;
   std::mt19937 random(7);

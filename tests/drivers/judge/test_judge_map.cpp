@@ -88,5 +88,24 @@ TEST_F(JudgeMaps, LengthsAreInMetres) {
   EXPECT_DOUBLE_EQ(run.frames[1].v[0].x(), 5);  // mm/ms
 }
 
+TEST_F(JudgeMaps, EachRunHasItsOwnSeeds) {
+  const auto seeds_of_run = [&](const std::string& run, const std::string& seeds) {
+    const JudgedRun read =
+        read_judged_run(scratch_ / run, map("time: {from: column, column: t}\nseeds: " + seeds + "\n"));
+    return read_seeds(read.map.seeds, read.map).X.at(0).x();
+  };
+  for (const char* folder : {"h_1", "h_2", "h_2/out"}) std::filesystem::create_directory(scratch_ / folder);
+  for (const char* run : {"h_1/out.csv", "h_2/out/a.csv", "alone.csv"}) scratch_.write(run, "t,id,x,y\n0,1,5,0\n");
+  scratch_.write("h_1/seeds.csv", "id,X,Y\n1,10,0\n");
+  scratch_.write("h_2/seeds.csv", "id,X,Y\n1,20,0\n");
+  EXPECT_EQ(seeds_of_run("h_1/out.csv", "seeds.csv"), 10);
+  EXPECT_EQ(seeds_of_run("h_2/out", "seeds.csv"), 20);
+  EXPECT_EQ(seeds_of_run("h_2/out/a.csv", "seeds.csv"), 20);
+  EXPECT_EQ(seeds_of_run("alone.csv", scratch_ / "h_2/seeds.csv"), 20);
+  EXPECT_EQ(seeds_of_run("alone.csv", "h_1/seeds.csv"), 10);
+  const std::string line = refusal_of([&] { seeds_of_run("alone.csv", "seeds.csv"); });
+  EXPECT_NE(line.find("seeds: seeds.csv lies neither"), std::string::npos) << line;
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_judge_map

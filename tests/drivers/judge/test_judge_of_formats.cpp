@@ -8,8 +8,7 @@
 
 #include <fmt/core.h>
 
-#include "drivers/format/npy.hpp"
-#include "drivers/format/zip.hpp"
+#include "drivers/format/npz.hpp"
 #include "tests/drivers/judge/planted.hpp"
 
 namespace assay::drivers::test_judge_of_formats {
@@ -39,32 +38,15 @@ std::vector<Column> columns_of(const JudgedFrame& f) {
   return all;
 }
 
-std::string bytes(const std::vector<double>& values) {
-  return {reinterpret_cast<const char*>(values.data()), sizeof(double) * values.size()};
-}
-
-/// An archive of NumPy whose members are not compressed.
 std::string npz(const std::vector<Column>& columns, double t) {
-  ZipLayout layout;
-  std::vector<std::string> members;
-  const auto add = [&](const std::string& name, std::vector<std::uint64_t> shape, const std::vector<double>& values) {
-    members.push_back(npy_header(shape) + bytes(values));
-    layout.add(name + ".npy", members.back().size());
-  };
+  std::vector<NpzArray> arrays;
   for (const Column& each : columns) {
-    const std::uint64_t rows = each.values.size() / each.width;
-    add(each.name, each.width > 1 ? std::vector<std::uint64_t>{rows, each.width} : std::vector<std::uint64_t>{rows},
-        each.values);
+    NpzArray array{each.name, {each.values.size() / each.width}, each.values};
+    if (each.width > 1) array.shape.push_back(each.width);
+    arrays.push_back(array);
   }
-  add("t", {1}, {t});
-  std::string text;
-  const auto put = [&](std::uint64_t at, const std::string& what) {
-    if (text.size() < at + what.size()) text.resize(at + what.size());
-    text.replace(at, what.size(), what);
-  };
-  for (std::size_t k = 0; k < members.size(); ++k) put(layout.begin(k), members[k]), layout.count(k, members[k]);
-  for (const ZipLayout::Piece& piece : layout.pieces()) put(piece.at, piece.bytes);
-  return text;
+  arrays.push_back({"t", {1}, {&t, 1}});
+  return npz_bytes(arrays);
 }
 
 std::string dump(const JudgedFrame& f, std::size_t step) {
