@@ -102,7 +102,7 @@ CASES = {
     "abaqus-rivlin": (run_calculix, "abaqus", SCENE, [0.125, 0.0625, 0.03125], WIDE + MOONEY, 1.9, 1.5e-4),
     "abaqus-dynamic": (run_dynamic, "abaqus", SCENE, [0.125, 0.0625], WIDE, 1.9, 1.2e-3),
     "abaqus-space": (run_calculix, "abaqus", os.path.join(CONFIGS, "motions", "vortex3d.yaml"), [0.3, 0.2],
-                     ["--set", "motion.amplitude.peak=0.3"], 1.85, 4e-4),
+                     ["--set", "motion.amplitude.peak=0.3"], 1.85, 7.5e-4),
     "lammps": (run_lammps, "lammps", os.path.join(CONFIGS, "motions", "vortex3d.yaml"), [1 / 6, 1 / 8, 1 / 12],
                ["--set", "motion.amplitude.peak=0.02"], 1.95, 7.5e-5),
     "fenics-rivlin": (run_fenics, "fenics", SCENE, [0.046875, 0.0234375], MOONEY, 1.95, 2e-3),
