@@ -27,3 +27,12 @@ foreach(case IN ITEMS csv csv-tractions nodal-loads nodal-loads-tractions nodal-
     abaqus-space lammps fenics fenics-rivlin fenics-kirchhoff)
   add_foreign_test(export_${case} export_to ${case} $<TARGET_FILE:assay>)
 endforeach()
+# Mistakes that were planted by somebody who did not know the dictionary of judge; those of a vortex take longer, and are
+# run by hand: blind.py without the names of motions.
+add_executable(planted_mpm foreign/blind/planted_mpm.cpp)
+target_compile_options(planted_mpm PRIVATE -O0)
+target_link_libraries(planted_mpm PRIVATE assay_drivers assay_options)
+add_foreign_test(blind blind/blind $<TARGET_FILE:assay> ${PROJECT_BINARY_DIR}/blind ring turn path pull line waves)
+add_foreign_test(blind_second blind/blind --second $<TARGET_FILE:assay> ${PROJECT_BINARY_DIR}/blind_second
+  wide spin draw bend)
+set_property(TEST foreign/blind foreign/blind_second APPEND PROPERTY ENVIRONMENT "PLANTED_MPM=$<TARGET_FILE:planted_mpm>")

@@ -37,6 +37,18 @@ void read_particle_tables(const std::string& file, const TakeTable& take, const 
   read_particle_text(file, take, columns);
 }
 
+std::size_t ShapedArray::count() const {
+  std::size_t product = 1;
+  for (const std::size_t length : shape) product *= length;
+  return product;
+}
+
+std::vector<double> ShapedArray::part(std::size_t first, std::size_t number) const {
+  if (read) return read(first, number);
+  const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(number)};
+}
+
 namespace {
 
 bool is_time(const ShapedArray& array) {
@@ -47,8 +59,7 @@ bool is_time(const ShapedArray& array) {
 ParticleArray part_of(const ShapedArray& array, std::size_t dimension, std::size_t first, std::size_t rows) {
   std::size_t components = 1;
   for (std::size_t d = dimension; d < array.shape.size(); ++d) components *= array.shape[d];
-  const auto begin = array.values.begin() + static_cast<std::ptrdiff_t>(first * components);
-  return {array.name, components, {begin, begin + static_cast<std::ptrdiff_t>(rows * components)}};
+  return {array.name, components, array.part(first * components, rows * components)};
 }
 
 }  // namespace
@@ -57,8 +68,8 @@ void take_arrays(const std::string& file, int frame, std::vector<ShapedArray> ar
                  const TakeTable& take) {
   const auto of_time = std::ranges::find_if(arrays, is_time);
   const auto fail = [&](const std::string& what) { throw InputError({file, 0, 0}, "", what); };
-  if (of_time != arrays.end() && of_time->values.size() == 1 && !time) {
-    time = of_time->values[0];
+  if (of_time != arrays.end() && of_time->count() == 1 && !time) {
+    time = of_time->part(0, 1)[0];
     arrays.erase(of_time);
   }
   std::erase_if(arrays, [](const ShapedArray& array) { return array.shape.empty(); });  // a number of the whole
@@ -66,16 +77,19 @@ void take_arrays(const std::string& file, int frame, std::vector<ShapedArray> ar
   constexpr std::size_t most_components = 9;
   const auto times = std::ranges::find_if(arrays, is_time);
   const auto moving = std::ranges::find_if(arrays, [&](const ShapedArray& array) {
-    return times != arrays.end() && array.shape.size() >= 2 && array.shape[0] == times->values.size() &&
-           array.shape[1] > most_components;
+    const std::size_t directions = array.shape.size();
+    if (times == arrays.end() || directions < 2 || array.shape[0] != times->count()) return false;
+    const bool tensors = directions == 3 && array.shape[1] == 3 && array.shape[2] == 3;
+    return array.shape[1] > most_components || (directions > 2 && !tensors);
   });
   const bool by_time = moving != arrays.end();
   const std::size_t frames = by_time ? moving->shape[0] : 1;
   const ShapedArray& first = by_time ? *moving : arrays.front();
   const std::size_t rows = first.shape[by_time ? 1 : 0];
+  const std::vector<double> at = by_time ? times->part(0, frames) : std::vector<double>();
   for (std::size_t k = 0; k < frames; ++k) {
     ParticleTable table{.file = file, .frame = by_time ? static_cast<int>(k) + 1 : frame, .rows = rows, .time = time};
-    if (by_time) table.time = times->values[k];
+    if (by_time) table.time = at[k];
     for (const ShapedArray& array : arrays) {
       if (by_time && &array == &*times) continue;
       const bool moves = by_time && array.shape.size() >= 2 && array.shape[0] == frames && array.shape[1] == rows;

@@ -55,7 +55,12 @@ void read_particle_hdf5(const std::string& file, const TakeTable& take);
 struct ShapedArray {
   std::string name;
   std::vector<std::size_t> shape;
-  std::vector<double> values;
+  std::vector<double> values = {};
+  /// Reads some of the numbers; where it is set there are no values yet.
+  std::function<std::vector<double>(std::size_t first, std::size_t count)> read = {};
+
+  std::size_t count() const;
+  std::vector<double> part(std::size_t first, std::size_t count) const;
 };
 
 /// Hands over the tables that arrays of one file are: (rows), (rows, components) or (rows, 3, 3) each; or, where an

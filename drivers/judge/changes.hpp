@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,11 @@
 
 namespace assay::drivers {
 
-using Change = std::function<void(JudgedRun&)>;
-
 struct Candidate {
   std::string cause, sentence;
   Change change;
-  bool needs_all = false;  ///< particles: it looks for the nearest one
+  bool needs_all = false;               ///< particles: it looks for the nearest one
+  std::optional<double> lateness = {};  ///< of a fitted clock: its rate less 1, or a time [s]
 };
 
 /// A run, how its particles are told, and how far they are off.
@@ -31,16 +31,16 @@ struct JudgedState {
 inline constexpr double telling = 3;
 inline constexpr double rounding = 1e-9;  ///< an error of this share of the displacement says nothing
 
-/// Of positions. now: of some particles; seeds: of all. body: the centre of the scene's body [m]. interval: between
-/// frames of the whole run [s].
+/// Of positions, without the causes that are left out. now: of some particles; seeds: of all. body: the centre of the
+/// scene's body [m]. interval: between frames of the whole run [s].
 std::vector<Candidate> position_changes(const JudgedState& now, const Seeds& seeds, const Vector3& body,
-                                        double interval, ExactParticles& exact);
+                                        double interval, ExactParticles& exact, const Causes& left_out);
 
 /// Some frames evenly over the time, the first one, from which the seeds may come, among them.
 JudgedRun few_of(const JudgedRun& run);
 
-/// Keeps some particles, the same ones in all frames, where that can be told.
-void thin_out(JudgedRun& run);
+/// The same of some particles, the same ones in all frames, where that can be told.
+JudgedRun thin_of(const JudgedRun& run);
 
 /// Whether no frame lies between a fifth and four fifths of the period, of which `half` is the half [s].
 bool only_at_rest(const JudgedRun& run, double half);

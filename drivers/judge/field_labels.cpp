@@ -15,6 +15,7 @@ namespace {
 struct FieldChange {
   std::string cause, sentence;
   std::function<void(JudgedFrame&)> change;
+  std::optional<double> lateness = {};  ///< [s]
 };
 
 /// The largest error, and the size of the exact field.
@@ -36,10 +37,8 @@ FieldErrorAndSize field_error(const JudgedRun& run, FieldError ErrorSample::*fie
   return most;
 }
 
-void take_field_label(JudgedRun& whole, const std::vector<FieldChange>& changes, FieldError ErrorSample::*field,
-                      const std::string& unit, ExactParticles& exact, std::vector<Label>& labels) {
-  JudgedRun some = few_of(whole);
-  thin_out(some);
+void add_field_label(JudgedRun& some, const std::vector<FieldChange>& changes, FieldError ErrorSample::*field,
+                     const std::string& unit, ExactParticles& exact, std::vector<Label>& labels) {
   const auto [before, size] = field_error(some, field, exact);
   if (!(before > rounding * size)) return;
   const FieldChange* best = nullptr;
@@ -51,13 +50,17 @@ void take_field_label(JudgedRun& whole, const std::vector<FieldChange>& changes,
     if (after < least) least = after, best = &each;
   }
   if (!best) return;
-  labels.push_back({best->cause, best->sentence + by_how_much(before, least, unit), before, least});
-  std::ranges::for_each(whole.frames, best->change);
+  const auto change = [of_frame = best->change](JudgedRun& run) { std::ranges::for_each(run.frames, of_frame); };
+  labels.push_back(
+      {best->cause, best->sentence + by_how_much(before, least, unit), before, least, change, best->lateness, {}});
+  change(some);
 }
 
 }  // namespace
 
-void take_field_labels(JudgedRun& run, ExactParticles& exact, std::vector<Label>& labels) {
+std::vector<Label> field_labels(const JudgedRun& run, ExactParticles& exact, const Causes& left_out) {
+  std::vector<Label> labels;
+  JudgedRun some = thin_of(run);
   const auto all_have = [&](auto member) {
     return std::ranges::all_of(run.frames, [&](const JudgedFrame& frame) { return !(frame.*member).empty(); });
   };
@@ -76,22 +79,23 @@ void take_field_labels(JudgedRun& run, ExactParticles& exact, std::vector<Label>
                std::string("velocities are in ") + word + ": `units: {velocity: " + word + "}`");
     }
     scaled(-1, "velocity_sign", "velocities have the wrong sign");
-    JudgedRun some = few_of(run);
-    thin_out(some);
-    for (JudgedFrame& frame : some.frames) frame.F.clear(), frame.sigma.clear(), frame.J.clear();
+    JudgedRun bare = some;
+    for (JudgedFrame& frame : bare.frames) frame.F.clear(), frame.sigma.clear(), frame.J.clear();
     const double interval = interval_of(run), period = exact.solution().motion()->period();
     const double reach = std::min(std::max(interval, 0.02 * period), 0.1 * period);
     const double shift = least_place(-reach, reach, [&](double t) {
-      JudgedRun changed = some;
+      JudgedRun changed = bare;
       for (JudgedFrame& frame : changed.frames) frame.t_velocity = std::max(frame.t_velocity + t, 0.0);
       return field_error(changed, &ErrorSample::velocity, exact).error;
     });
     changes.push_back(
-        {"velocity_time",
+        {velocity_time,
          "velocities belong to a time " + rounded_text(std::abs(shift), 3) + " s " + (shift < 0 ? "before" : "after") +
              " that of the positions: `time: {velocity: " + rounded_text(shift / run.map.time_unit, 3) + "}`",
-         [shift](JudgedFrame& frame) { frame.t_velocity = std::max(frame.t_velocity + shift, 0.0); }});
-    take_field_label(run, changes, &ErrorSample::velocity, "m/s", exact, labels);
+         [shift](JudgedFrame& frame) { frame.t_velocity = std::max(frame.t_velocity + shift, 0.0); }, shift});
+    std::erase_if(changes,
+                  [&](const FieldChange& each) { return std::ranges::find(left_out, each.cause) != left_out.end(); });
+    add_field_label(some, changes, &ErrorSample::velocity, "m/s", exact, labels);
   }
   if (all_have(&JudgedFrame::F)) {
     const auto each = [](auto act) {
@@ -103,13 +107,12 @@ void take_field_labels(JudgedRun& run, ExactParticles& exact, std::vector<Label>
         }
       };
     };
-    take_field_label(
-        run,
-        {{"F_transposed", "F is transposed", each([](const Tensor& F) -> Tensor { return F.transpose(); })},
-         {"F_inverse", "F is its inverse", each([](const Tensor& F) -> Tensor { return F.inverse(); })},
-         {"F_gradient", "F is the gradient of the displacement, without the identity",
-          each([](const Tensor& F) -> Tensor { return F + Tensor::Identity(); })}},
-        &ErrorSample::deformation_gradient, "", exact, labels);
+    add_field_label(some,
+                    {{"F_transposed", "F is transposed", each([](const Tensor& F) -> Tensor { return F.transpose(); })},
+                     {"F_inverse", "F is its inverse", each([](const Tensor& F) -> Tensor { return F.inverse(); })},
+                     {"F_gradient", "F is the gradient of the displacement, without the identity",
+                      each([](const Tensor& F) -> Tensor { return F + Tensor::Identity(); })}},
+                    &ErrorSample::deformation_gradient, "", exact, labels);
   }
   if (all_have(&JudgedFrame::sigma)) {
     std::vector<FieldChange> changes;
@@ -137,8 +140,9 @@ void take_field_labels(JudgedRun& run, ExactParticles& exact, std::vector<Label>
     changes.push_back(
         {"stress_second_piola", "the stress is the second Piola-Kirchhoff stress",
          with_F([](const Tensor& s, const Tensor& F) -> Tensor { return F * s * F.transpose() / F.determinant(); })});
-    take_field_label(run, changes, &ErrorSample::stress, "Pa", exact, labels);
+    add_field_label(some, changes, &ErrorSample::stress, "Pa", exact, labels);
   }
+  return labels;
 }
 
 }  // namespace assay::drivers

@@ -52,15 +52,14 @@ std::string pairing_words(Pairing pairing, const Seeds& seeds) {
 
 }  // namespace
 
-JudgedGrid judged_grid(JudgedRun run, std::vector<Label> labels, double half_period, double end, ExactParticles& exact,
-                       std::vector<std::string>& warnings) {
+JudgedGrid judged_grid(JudgedRun run, const std::vector<Label>& labels, double half_period, double end,
+                       ExactParticles& exact, std::optional<BinnedErrors> bins, std::vector<std::string>& warnings) {
   JudgedGrid grid;
   grid.name = run.name;
   grid.frames = static_cast<std::int64_t>(run.frames.size());
   grid.read = map_words(run.map);
   grid.times = run.time_words;
   grid.left_out = run.left_out;
-  take_field_labels(run, exact, labels);
   for (const Label& label : labels) grid.labels.push_back({label.cause, label.sentence, label.before, label.after});
   const Seeds seeds = seeds_of(run, exact);
   const Pairing pairing = pairing_of(run, seeds);
@@ -69,7 +68,7 @@ JudgedGrid judged_grid(JudgedRun run, std::vector<Label> labels, double half_per
   grid.rounding = run.rounding;
   grid.pairing = pairing_words(pairing, seeds);
   double largest = 0;
-  for (const FrameErrors& frame : errors_of(run, seeds, pairing, exact)) {
+  for (const FrameErrors& frame : errors_of(run, seeds, pairing, exact, bins ? &*bins : nullptr)) {
     const auto most = [](std::int64_t& figure, std::size_t found) {
       figure = std::max(figure, static_cast<std::int64_t>(found));
     };
@@ -95,6 +94,7 @@ JudgedGrid judged_grid(JudgedRun run, std::vector<Label> labels, double half_per
     if (!picture.x.empty()) grid.picture = png_of(picture);
     grid.picture_caption = "Error of the positions where it is largest, " + picture.caption + ", on the finest grid.";
   }
+  grid.bins = std::move(bins);
   grid.error = figures_of(grid.history, half_period, end, largest);
   leave_out_missing(grid.error, grid.history);
   if (only_at_rest(run, half_period)) {
@@ -138,7 +138,6 @@ FlatValue figure_for(const JudgeFindings& findings, const std::string& key) {
 }  // namespace
 
 void conclude(JudgeFindings& findings, const std::vector<Expectation>& expected) {
-  std::ranges::stable_sort(findings.runs, std::greater(), [](const JudgedGrid& grid) { return grid.h.value_or(0); });
   std::vector<double> h, error;
   for (const JudgedGrid& grid : findings.runs) {
     if (grid.h && grid.error.l2_max) h.push_back(*grid.h), error.push_back(*grid.error.l2_max);
@@ -176,8 +175,10 @@ void conclude(JudgeFindings& findings, const std::vector<Expectation>& expected)
   } else if (findings.last_order && *findings.last_order < falling && relative && *relative > nothing) {
     doubt = "the error does not fall on finer grids: order " + rounded_text(*findings.last_order, 3);
   }
-  findings.good = causes.empty() && lost == 0 && fails.empty() && doubt.empty();
+  const CodeFindings& code = findings.code_findings;
+  findings.good = causes.empty() && lost == 0 && fails.empty() && doubt.empty() && !code.is_wrong();
   findings.verdict = !causes.empty()        ? "mistakes in the data: " + joined(causes)
+                     : code.is_wrong()      ? "a mistake in the code: " + code.sentence
                      : lost > 0             ? "particles are lost, doubled or no numbers"
                      : !doubt.empty()       ? doubt
                      : !fails.empty()       ? fails

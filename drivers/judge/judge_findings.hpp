@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/judge/labels.hpp"
+#include "drivers/mistakes/identification.hpp"
 #include "drivers/result/fields.hpp"
 #include "drivers/result/result.hpp"
 #include "drivers/scene/scene.hpp"
@@ -23,6 +24,46 @@ struct LabelFigures {
     archive("before", self.before, "",
             "error of the field with the data as they are, in its unit; null where none was compared");
     archive("after", self.after, "", "error of the field without that mistake");
+  }
+};
+
+struct MistakeFigures {
+  std::string mistake, sentence;
+  bool named = false;
+  Figure size, explained, factor;
+
+  static void fields(auto& self, auto& archive) {
+    archive("mistake", self.mistake, "", "short name of the mistake");
+    archive("sentence", self.sentence, "", "the mistake of the size that fits best, as a sentence");
+    archive("named", self.named, "", "whether it is one of those that the answer names");
+    archive("size", self.size, "", "its size: a factor [1] or a time [s]");
+    archive("explained", self.explained, "1", "share of the square of the error that it explains");
+    archive("factor", self.factor, "1", "by which its effect is to be multiplied to fit best");
+  }
+};
+
+/// What a code does wrong, by the errors of its positions over the body and over time.
+struct CodeFindings {
+  std::string answer, sentence;
+  Figure error, discretisation;
+  std::vector<double> waves;
+  std::vector<MistakeFigures> mistakes;
+  /// Roots of mean squares over the body: of the error, and of what the best mistake leaves of it [m].
+  std::vector<double> t = {}, of_error = {}, of_rest = {};
+  bool is_wrong() const { return answer == "named" || answer == "alike"; }
+
+  static void fields(auto& self, auto& archive) {
+    archive("answer", or_null(self.answer), "",
+            "named: one mistake explains the error; alike: several do; doubtful: one does, and the grid may; method: "
+            "nothing is left but the grid's own error; unknown: none explains it; null: not looked for");
+    archive("sentence", self.sentence, "", "what was found");
+    archive("error", self.error, "m", "error that is to be explained", "without what finer grids would take away");
+    archive("discretisation", self.discretisation, "m", "error of the finest grid", "by the grids or by its size");
+    archive(
+        "waves", self.waves, "1",
+        "shares of the square of the error that go around the ring 0, 1, ... 8 times: 0 of forces, times and models, "
+        "1 of a shifted origin, 4 and 8 of a square lattice");
+    archive("mistakes", self.mistakes);
   }
 };
 
@@ -44,6 +85,7 @@ struct JudgedGrid {
   std::vector<ErrorSample> history = {};  ///< errors.csv
   std::string picture = {};               ///< error.png: particles at the time of the largest error; in the plane
   std::string picture_caption = {};
+  std::optional<BinnedErrors> bins = {};  ///< by which mistakes of the code are told
 
   static void fields(auto& self, auto& archive) {
     archive("name", self.name, "", "file or folder of the run");
@@ -80,6 +122,7 @@ struct JudgeFindings {
   Figure order, order_lower, order_upper, last_order;
   std::string range;
   std::vector<ExpectationOutcome> expect;
+  CodeFindings code_findings;
   std::vector<std::string> warnings;
   bool good = true;
   std::string verdict;
@@ -97,15 +140,21 @@ struct JudgeFindings {
     archive("last_order", self.last_order, "1", "order between the two finest grids");
     archive("range", or_null(self.range), "", "whether the asymptotic range is reached, as a sentence");
     archive("expect", self.expect);
+    archive.section("mistakes_of_code", [&](auto& inner) { CodeFindings::fields(self.code_findings, inner); });
     archive("warnings", self.warnings, "", "sentences on what is doubtful");
     archive("runs", self.runs);
     archive("provenance", self.provenance);
   }
 };
 
-/// Pairs and judges one run, whose positions are without these labels. half_period, end: T/2 and the last time [s].
-JudgedGrid judged_grid(JudgedRun run, std::vector<Label> labels, double half_period, double end, ExactParticles& exact,
-                       std::vector<std::string>& warnings);
+/// Pairs and judges one run, which is without these labels by now. half_period, end: T/2 and the last time [s].
+/// bins: for the errors of the positions, where mistakes of the code are looked for.
+JudgedGrid judged_grid(JudgedRun run, const std::vector<Label>& labels, double half_period, double end,
+                       ExactParticles& exact, std::optional<BinnedErrors> bins, std::vector<std::string>& warnings);
+
+/// Looks for mistakes of the code behind the errors of the runs. Throws MaterialFailure, Interrupted.
+void find_mistakes(JudgeFindings& findings, const Scene& scene, const std::shared_ptr<const Material>& material,
+                   bool quiet);
 
 /// Orders over the runs, what becomes of the expectations of orders and of the finest run's errors, and the verdict.
 void conclude(JudgeFindings& findings, const std::vector<Expectation>& expected);

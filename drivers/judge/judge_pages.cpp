@@ -64,6 +64,30 @@ std::string reading_words(const JudgeFindings& findings) {
   return text;
 }
 
+/// What the errors say of the code.
+std::string section_of_code(const CodeFindings& code, double period) {
+  if (code.sentence.empty()) return {};
+  std::string body = element("p", escaped(code.sentence + "."));
+  std::vector<std::vector<std::string>> rows;
+  constexpr std::size_t most = 5;
+  for (const MistakeFigures& each : code.mistakes) {
+    if (rows.size() == most || !each.explained || *each.explained <= 0) break;
+    rows.push_back({escaped(each.sentence), figure(each.size), escaped(rounded_text(100 * *each.explained, 3) + " %"),
+                    figure(each.factor)});
+  }
+  if (!rows.empty())
+    body += "<div class=\"wide\">" + table({"mistake", "size", "share of the error", "factor"}, rows) + "</div>";
+  if (code.is_wrong() && !code.t.empty()) {
+    LinePlot plot{"", "t/T", "error, L_{2} [m]", false, true, {}};
+    Series error{"measured", {}, code.of_error, true, true, false},
+        rest{"without the mistake", {}, code.of_rest, true, true, true};
+    for (const double t : code.t) error.x.push_back(t / period), rest.x.push_back(t / period);
+    plot.series = {error, rest};
+    body += "<figure>" + svg(plot) + "</figure>\n";
+  }
+  return section("The code", body);
+}
+
 }  // namespace
 
 std::string judge_text(const JudgeFindings& findings, const std::string& folder) {
@@ -88,6 +112,9 @@ std::string judge_text(const JudgeFindings& findings, const std::string& folder)
     const std::string counts = counts_of(grid);
     if (!counts.empty()) text += wrapped(grid.name + ": particles: " + counts, "  ", "    ");
   }
+  if (!findings.code_findings.sentence.empty() &&
+      findings.verdict.find(findings.code_findings.sentence) == std::string::npos)
+    text += wrapped("code: " + findings.code_findings.sentence, "  ", "    ");
   text += other_fields(findings.runs.back());
   text += reading_words(findings);
   for (const JudgedGrid& grid : findings.runs) {
@@ -128,6 +155,7 @@ std::string judge_html(const JudgeFindings& findings, const std::string& resolve
               escaped(grid.left_out.empty() ? "" : "; left out: " + joined(grid.left_out)) + "</li>\n";
   }
   if (!causes.empty()) body += section("What is wrong", "<ul>\n" + causes + "</ul>\n");
+  body += section_of_code(findings.code_findings, period);
   body +=
       section("Errors", "<div class=\"wide\">" +
                             table({"h [m]", "particles", "frames", "u, L<sub>2</sub> [m]", "u, L<sub>\u221e</sub> [m]",
@@ -180,6 +208,14 @@ std::string judge_junit(const JudgeFindings& findings, const std::string& name, 
       one.kind = JunitCase::Kind::failure;
       one.type = "expectation";
       one.message = line.key + ": expected " + line.expected + ", found " + line.found;
+    }
+    suite.cases.push_back(std::move(one));
+  }
+  if (const CodeFindings& code = findings.code_findings; !code.answer.empty()) {
+    JunitCase one{.classname = name, .name = "code", .seconds = 0, .kind = JunitCase::Kind::passed};
+    if (code.is_wrong()) {
+      one.kind = JunitCase::Kind::failure;
+      one.type = code.mistakes.front().mistake, one.message = code.sentence;
     }
     suite.cases.push_back(std::move(one));
   }

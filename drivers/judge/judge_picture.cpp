@@ -13,16 +13,19 @@ ParticleFrame picture_of(const JudgedFrame& frame, const Seeds& seeds, Pairing p
   picture.caption = "t = " + rounded_text(frame.t, 4) + " s";
   SeedFinder find(seeds, pairing, exact);
   const FramePairs pairs = find(frame);
-  const std::vector<PointFields>& now = exact.at(pairs.X(frame, seeds, pairing), frame.t, false);
   const double half = 0.5 * seeds.spacing;  // half edges of a square that the exact F deforms
-  for (std::size_t k = 0; k < pairs.pairs.size(); ++k) {
+  const auto add = [&](std::size_t k, const PointFields& now) {
     const Vector3& x = frame.x[pairs.pairs[k].particle];
-    const auto& F = now[k].F;
+    const auto& F = now.F;
     picture.x.push_back(x.x()), picture.y.push_back(x.y());
     picture.r1x.push_back(half * F[0]), picture.r1y.push_back(half * F[3]);
     picture.r2x.push_back(half * F[1]), picture.r2y.push_back(half * F[4]);
-    picture.value.push_back(std::hypot(x.x() - now[k].x[0], x.y() - now[k].x[1]));
-  }
+    picture.value.push_back(std::hypot(x.x() - now.x[0], x.y() - now.x[1]));
+  };
+  exact.in_stretches(pairs.X(frame, seeds, pairing), frame.t, frame.t, false,
+                     [&](std::size_t first, std::span<const PointFields> now, const auto&) {
+                       for (std::size_t k = 0; k < now.size(); ++k) add(first + k, now[k]);
+                     });
   return picture;
 }
 

@@ -66,6 +66,7 @@ class TableReader {
     const Components of(table_, map_.names(quantity), word(quantity));
     if (of.count() != 1) refuse_count(table_, word(quantity), of.count(), "1");
     std::vector<double> values;
+    values.reserve(rows_.size());
     for (const std::size_t row : rows_) values.push_back(unit * of(row, 0));
     return values;
   }
@@ -74,6 +75,7 @@ class TableReader {
     const Components of(table_, map_.names(quantity), word(quantity));
     if (of.count() != 2 && of.count() != 3) refuse_count(table_, word(quantity), of.count(), "2 or 3");
     std::vector<Vector3> values;
+    values.reserve(rows_.size());
     for (const std::size_t row : rows_)
       values.emplace_back(unit * of(row, 0), unit * of(row, 1), of.count() == 3 ? unit * of(row, 2) : 0);
     return values;
@@ -83,6 +85,7 @@ class TableReader {
     const Components of(table_, map_.names(quantity), word(quantity));
     const std::vector<int> places = places_of(quantity, of.count());
     std::vector<Tensor> values;
+    values.reserve(rows_.size());
     for (const std::size_t row : rows_) {
       Tensor value = Tensor::Constant(not_written);
       for (std::size_t c = 0; c < places.size(); ++c) {
@@ -188,7 +191,14 @@ JudgedRun read_judged_run(const std::string& name, const JudgeMap& map) {
     if (!complete) complete_map(run.map, table);
     complete = true;
     run.rounding = std::max(run.rounding, map.length * rounding_of(table, run.map));
-    for (auto& [t, rows] : time_of(table, number)) run.frames.push_back(frame_of(table, run.map, std::move(rows), t));
+    for (auto& [t, rows] : time_of(table, number)) {
+      JudgedFrame frame = frame_of(table, run.map, std::move(rows), t);
+      if (!run.frames.empty()) {
+        const JudgedFrame& before = run.frames.back();
+        frame.id.share(before.id), frame.X.share(before.X), frame.volume.share(before.volume);
+      }
+      run.frames.push_back(std::move(frame));
+    }
     ++number;
   };
   const RunFiles files = files_of_run(name);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/judge/judge_map.hpp"
+#include "drivers/judge/shared_column.hpp"
 #include "harness/numeric/tensor.hpp"
 
 namespace assay::drivers {
@@ -15,13 +16,14 @@ inline constexpr double not_written = std::numeric_limits<double>::quiet_NaN();
 
 /// Particles at one time. What the code does not write is empty. What is no number is NaN.
 struct JudgedFrame {
-  std::string name;       ///< file and frame, for messages
-  double t = 0;           ///< of the positions [s]
-  double t_velocity = 0;  ///< [s]
-  std::vector<double> id;
-  std::vector<Vector3> X, x, v;   ///< [m], [m], [m/s]; 0 in directions that are not written
-  std::vector<Tensor> F, sigma;   ///< [1], [Pa]; NaN in components that are not written
-  std::vector<double> J, volume;  ///< [1], [m^3]
+  std::string name;                 ///< file and frame, for messages
+  double t = 0;                     ///< of the positions [s]
+  double t_velocity = 0;            ///< [s]
+  SharedColumn<double> id, volume;  ///< volume: [m^3]
+  SharedColumn<Vector3> X;          ///< [m]
+  std::vector<Vector3> x, v;        ///< [m], [m/s]; 0 in directions that are not written
+  std::vector<Tensor> F, sigma;     ///< [1], [Pa]; NaN in components that are not written
+  std::vector<double> J;            ///< [1]
   std::size_t size() const { return x.size(); }
 };
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drivers/judge/pairing.hpp"
+#include "drivers/mistakes/binned_errors.hpp"
 #include "drivers/picture/value_pictures.hpp"
 #include "drivers/result/result_sections.hpp"
 
@@ -26,7 +27,9 @@ struct FrameErrors {
 };
 
 /// Of each frame. Where a field is not written, its error is NaN.
-std::vector<FrameErrors> errors_of(const JudgedRun& run, const Seeds& seeds, Pairing pairing, ExactParticles& exact);
+/// bins: where they are not null, they take the errors of the positions.
+std::vector<FrameErrors> errors_of(const JudgedRun& run, const Seeds& seeds, Pairing pairing, ExactParticles& exact,
+                                   BinnedErrors* bins = nullptr);
 
 /// The plane particles of a frame, coloured by the errors of their positions; those of a frame that is empty are none.
 ParticleFrame picture_of(const JudgedFrame& frame, const Seeds& seeds, Pairing pairing, ExactParticles& exact);
@@ -37,6 +40,7 @@ std::string png_of(const ParticleFrame& frame);
 /// Roots of mean squares over all frames [m].
 struct PositionError {
   double error = std::numeric_limits<double>::infinity(), displacement = 0;  ///< of the exact motion
+  double worst = error;                                                      ///< of one particle
   /// What labels compare, for a smaller unit makes both smaller.
   double relative() const { return displacement > 0 ? error / displacement : std::numeric_limits<double>::infinity(); }
 };

@@ -2,8 +2,10 @@
 #include "drivers/judge/judging.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "drivers/findings/findings.hpp"
+#include "drivers/mistakes/perturbed_scene.hpp"
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_reader.hpp"
@@ -54,6 +56,33 @@ void check_spacings(const std::vector<JudgedGrid>& runs, std::vector<std::string
   }
 }
 
+/// The runs become ones without the labels that are found, clocks that are doubtful left out.
+void take_labels(std::vector<JudgedRun>& runs, const ExactParticles& motion, std::vector<std::string>& warnings,
+                 std::vector<std::vector<Label>>& labels,
+                 const std::function<std::vector<Label>(const JudgedRun&, const Causes&)>& found_in) {
+  Causes left_out;
+  std::vector<std::vector<Label>> found(runs.size());
+  std::vector<double> spacing;
+  for (const JudgedRun& run : runs) spacing.push_back(seeds_of(run, motion).spacing);
+  for (bool again = true; again;) {
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      found[k] = found_in(runs[k], left_out);
+      stop_if_interrupted();
+    }
+    const std::vector<DoubtfulClock> doubtful = doubtful_clocks(found, spacing);
+    for (const DoubtfulClock& each : doubtful) {
+      left_out.push_back(each.cause);
+      if (each.cause == clock_rate) left_out.push_back(clock_offset);  // the next best of the same
+      warnings.push_back(each.sentence);
+    }
+    again = !doubtful.empty();
+  }
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    take(found[k], runs[k]);
+    labels[k].insert(labels[k].end(), found[k].begin(), found[k].end());
+  }
+}
+
 }  // namespace
 
 std::vector<Expectation> expected_of_any_code(const Scene& scene, bool all) {
@@ -77,30 +106,38 @@ JudgeFindings findings_of(Scene scene, const JudgeTask& task) {
   const Vector3 centre = centre_of_body(scene);
   const int dimension = scene.dimension;
   std::vector<JudgedRun> runs;
-  std::vector<std::vector<Label>> labels;
   ExactParticles motion(motion_alone(scene, material), dimension);
   double end = scene.time.end;
   bool stress = false;
   for (const std::string& name : task.runs) {
     runs.push_back(read_judged_run(name, task.map));
-    labels.push_back(take_position_labels(runs.back(), centre, motion));
-    end = std::max(end, runs.back().frames.back().t);
     stress = stress || !runs.back().frames.back().sigma.empty();
     stop_if_interrupted();
   }
+  std::vector<std::vector<Label>> labels(runs.size());
+  take_labels(runs, motion, findings.warnings, labels, [&](const JudgedRun& run, const Causes& left_out) {
+    return position_labels(run, centre, motion, left_out);
+  });
+  for (const JudgedRun& run : runs) end = std::max(end, run.frames.back().t);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
   ExactParticles exact(
       stress ? exact_solution_of_points(scene, material, end, task.quiet) : motion_alone(scene, material), dimension);
+  take_labels(runs, motion, findings.warnings, labels,
+              [&](const JudgedRun& run, const Causes& left_out) { return field_labels(run, exact, left_out); });
+  const std::string why_not = why_no_mistakes(scene);
+  if (!why_not.empty()) findings.code_findings.sentence = "mistakes of the code are not looked for " + why_not;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const JudgeCost cost = runs[k].map.cost;
-    JudgedGrid grid = judged_grid(std::move(runs[k]), std::move(labels[k]), 0.5 * scene.motion->period(),
-                                  scene.time.end, exact, findings.warnings);
+    JudgedGrid grid = judged_grid(std::move(runs[k]), labels[k], 0.5 * scene.motion->period(), scene.time.end, exact,
+                                  why_not.empty() ? std::optional(bins_of(scene)) : std::nullopt, findings.warnings);
     if (!task.h.empty()) grid.h = task.h[k];
     take_cost(cost, k, runs.size(), task.map_file, grid);
     findings.runs.push_back(std::move(grid));
     stop_if_interrupted();
   }
   if (!task.h.empty()) check_spacings(findings.runs, findings.warnings);
+  std::ranges::stable_sort(findings.runs, std::greater(), [](const JudgedGrid& grid) { return grid.h.value_or(0); });
+  find_mistakes(findings, scene, material, task.quiet);
   conclude(findings, task.expected);
   return findings;
 }

@@ -5,19 +5,12 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <unordered_set>
+#include <utility>
 
 #include "drivers/judge/changes.hpp"
 #include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
-
-JudgedRun few_of(const JudgedRun& run) {
-  constexpr std::size_t frames_looked_at = 6;
-  JudgedRun few{run.name, run.map, {}, run.time_words, {}, run.rounding};
-  const std::size_t n = run.frames.size(), most = std::min(n, frames_looked_at);
-  for (std::size_t k = 0; k < most; ++k) few.frames.push_back(run.frames[most > 1 ? k * (n - 1) / (most - 1) : 0]);
-  return few;
-}
 
 bool only_at_rest(const JudgedRun& run, double half) {
   return std::ranges::none_of(run.frames,
@@ -46,38 +39,67 @@ std::string by_how_much(double before, double after, const std::string& unit) {
 
 namespace {
 
-template <class T>
-void keep(std::vector<T>& values, const std::vector<std::size_t>& rows) {
-  if (values.empty()) return;
-  std::vector<T> kept;
-  for (const std::size_t row : rows) kept.push_back(values[row]);
-  values = std::move(kept);
+auto kept(const auto& values, const std::vector<std::size_t>& rows) {
+  using T = std::remove_cvref_t<decltype(*values.begin())>;
+  std::vector<T> some;
+  if (values.empty()) return some;
+  some.reserve(rows.size());
+  for (const std::size_t row : rows) some.push_back(values[row]);
+  return some;
 }
 
-void keep_rows(JudgedFrame& frame, const std::vector<std::size_t>& rows) {
-  keep(frame.id, rows), keep(frame.volume, rows), keep(frame.J, rows);
-  keep(frame.X, rows), keep(frame.x, rows), keep(frame.v, rows);
-  keep(frame.F, rows), keep(frame.sigma, rows);
+JudgedFrame kept_rows(const JudgedFrame& frame, const std::vector<std::size_t>& rows) {
+  return {frame.name,
+          frame.t,
+          frame.t_velocity,
+          kept(frame.id, rows),
+          kept(frame.volume, rows),
+          kept(frame.X, rows),
+          kept(frame.x, rows),
+          kept(frame.v, rows),
+          kept(frame.F, rows),
+          kept(frame.sigma, rows),
+          kept(frame.J, rows)};
 }
+
+/// Some of them, the first one, from which the seeds may come, among them.
+std::vector<std::size_t> few_frames(const JudgedRun& run, std::size_t wanted = 6) {
+  const std::size_t n = run.frames.size(), most = std::min(n, wanted);
+  std::vector<std::size_t> few;
+  for (std::size_t k = 0; k < most; ++k) few.push_back(most > 1 ? k * (n - 1) / (most - 1) : 0);
+  return few;
+}
+
+JudgedRun without_frames(const JudgedRun& run) { return {run.name, run.map, {}, run.time_words, {}, run.rounding}; }
 
 }  // namespace
 
-void thin_out(JudgedRun& run) {
+JudgedRun few_of(const JudgedRun& run) {
+  JudgedRun few = without_frames(run);
+  for (const std::size_t k : few_frames(run)) few.frames.push_back(run.frames[k]);
+  return few;
+}
+
+JudgedRun thin_of(const JudgedRun& run) {
   constexpr std::size_t most = 2000;
   const std::size_t n = run.frames.front().size(), step = (n + most - 1) / most;
-  if (step < 2) return;
-  const bool has_ids = std::ranges::none_of(run.frames, [](const JudgedFrame& frame) { return frame.id.empty(); });
-  const bool has_X = std::ranges::none_of(run.frames, [](const JudgedFrame& frame) { return frame.X.empty(); });
-  if (!has_ids && !has_X) return;  // the nearest one may be any
+  const auto all_have = [&](auto member) {
+    return std::ranges::none_of(run.frames, [&](const JudgedFrame& frame) { return (frame.*member).empty(); });
+  };
+  const bool has_ids = all_have(&JudgedFrame::id), has_X = all_have(&JudgedFrame::X);
+  if (step < 2 || (!has_ids && !has_X)) return few_of(run);  // the nearest one may be any
   std::unordered_set<double> ids;
-  for (std::size_t p = 0; has_ids && p < n; p += step) ids.insert(run.frames.front().id[p]);
-  for (JudgedFrame& frame : run.frames) {
+  for (std::size_t p = 0; has_ids && p < n; p += step) ids.insert(std::as_const(run.frames.front().id)[p]);
+  JudgedRun thin = without_frames(run);
+  for (const std::size_t k : few_frames(run)) {
+    const JudgedFrame& frame = run.frames[k];
     std::vector<std::size_t> rows;
     for (std::size_t p = 0; p < frame.size(); ++p) {
       if (has_ids ? ids.contains(frame.id[p]) : p % step == 0) rows.push_back(p);
     }
-    keep_rows(frame, rows);
+    thin.frames.push_back(kept_rows(frame, rows));
   }
+  return thin;
 }
 
 namespace {
@@ -85,18 +107,28 @@ namespace {
 constexpr double apart = 1.3;   ///< so much smaller than under any other change the error must be
 constexpr double alike = 0.01;  ///< errors that rounding and the search for times tell apart
 
-JudgedState state_of(JudgedRun run, ExactParticles& exact) {
+/// Without its error.
+JudgedState seeded(JudgedRun run, const ExactParticles& exact) {
   JudgedState state{std::move(run), {}, Pairing::nearest, {}};
   state.seeds = seeds_of(state.run, exact);
   state.pairing = pairing_of(state.run, state.seeds);
+  return state;
+}
+
+JudgedState state_of(JudgedRun run, ExactParticles& exact) {
+  JudgedState state = seeded(std::move(run), exact);
   state.error = position_error(state.run, state.seeds, state.pairing, exact);
   return state;
 }
 
-/// Their positions alone.
-JudgedRun some_of(const JudgedRun& run) {
-  JudgedRun some = few_of(run);
-  for (JudgedFrame& frame : some.frames) frame.F.clear(), frame.sigma.clear(), frame.J.clear();
+/// All particles of a few frames, their positions alone.
+JudgedRun all_of(const JudgedRun& run) {
+  constexpr std::size_t many_particles = 300'000;
+  JudgedRun some = without_frames(run);
+  for (const std::size_t k : few_frames(run, run.frames.front().size() > many_particles ? 3 : 6)) {
+    const JudgedFrame& f = run.frames[k];
+    some.frames.push_back({f.name, f.t, f.t_velocity, f.id, f.volume, f.X, f.x, f.v, {}, {}, {}});
+  }
   return some;
 }
 
@@ -105,21 +137,37 @@ struct Looked {
   JudgedState some, all;
 };
 
-Looked looked_at(JudgedRun run, ExactParticles& exact) {
-  JudgedRun thin = run;
-  thin_out(thin);
-  return {state_of(std::move(thin), exact), state_of(std::move(run), exact)};
+/// Where a clock is wrong, velocities are those of the right time; where a body is late, they are smaller or larger by
+/// as much. Empty without velocities. rate: of the clock less 1.
+std::optional<bool> are_right(const JudgedState& state, double rate, ExactParticles& exact) {
+  double with = 0, alone = 0;
+  SeedFinder find(state.seeds, state.pairing, exact);
+  for (const JudgedFrame& frame : state.run.frames) {
+    if (frame.v.empty()) return std::nullopt;
+    const FramePairs pairs = find(frame);
+    const std::vector<Vector3> X = pairs.X(frame, state.seeds, state.pairing);
+    const std::vector<PointFields>& now = exact.velocities(X, frame.t_velocity);
+    for (std::size_t k = 0; k < X.size(); ++k) {
+      const Vector3 v(now[k].v[0], now[k].v[1], now[k].v[2]), found = frame.v[pairs.pairs[k].particle];
+      if (!found.allFinite()) continue;
+      with += v.dot(found), alone += v.squaredNorm();
+    }
+  }
+  constexpr double half_way = 0.5;
+  return alone > 0 ? std::optional(std::abs(with / alone - 1) < half_way * std::abs(rate)) : std::nullopt;
 }
 
 /// The best candidate, if it is told from the others.
-std::optional<Label> best_of(const std::vector<Candidate>& all, Looked& now, JudgedRun& whole, ExactParticles& exact) {
+std::optional<Label> best_of(const std::vector<Candidate>& all, Looked& now, ExactParticles& exact) {
   struct Found {
     double relative, error;
     const Candidate* candidate;
   };
   std::vector<Found> found;
   for (const Candidate& candidate : all) {
-    const JudgedState& before = candidate.needs_all ? now.all : now.some;
+    JudgedState& before = candidate.needs_all ? now.all : now.some;
+    if (!std::isfinite(before.error.error))
+      before.error = position_error(before.run, before.seeds, before.pairing, exact);
     JudgedRun changed = before.run;
     candidate.change(changed);
     JudgedState state = state_of(std::move(changed), exact);
@@ -137,34 +185,41 @@ std::optional<Label> best_of(const std::vector<Candidate>& all, Looked& now, Jud
   std::erase_if(found, [&](const Found& each) { return each.relative > apart * least; });
   std::ranges::sort(found, {}, &Found::candidate);  // the simplest first
   const auto best = std::ranges::find_if(found, [&](const Found& each) { return each.relative < (1 + alike) * least; });
-  Label label{best->candidate->cause, best->candidate->sentence, now.some.error.error, best->error};
+  const Candidate& candidate = *best->candidate;
+  Label label{
+      candidate.cause, candidate.sentence, now.some.error.error, best->error, candidate.change, candidate.lateness, {}};
   std::vector<std::string> others{label.cause};
   for (const Found& each : found) {
     if (std::ranges::find(others, each.candidate->cause) != others.end()) continue;
     others.push_back(each.candidate->cause);
     label.sentence += "; or else " + each.candidate->sentence;
   }
-  const Change change = best->candidate->change;
   label.sentence += by_how_much(label.before, label.after, "m");
-  change(now.all.run);
-  change(whole);
-  now = looked_at(std::move(now.all.run), exact);
+  label.change(now.all.run), label.change(now.some.run);
+  now = {state_of(std::move(now.some.run), exact), seeded(std::move(now.all.run), exact)};
+  if (label.cause == clock_rate) label.by_velocities = are_right(now.some, *label.lateness, exact);
   return label;
 }
 
 }  // namespace
 
-std::vector<Label> take_position_labels(JudgedRun& run, const Vector3& body, ExactParticles& exact) {
+std::vector<Label> position_labels(const JudgedRun& run, const Vector3& body, ExactParticles& exact,
+                                   const Causes& left_out) {
   std::vector<Label> labels;
-  Looked now = looked_at(some_of(run), exact);
+  Looked now{state_of(thin_of(run), exact), seeded(all_of(run), exact)};
   constexpr int most = 3;  // one on top of another
   for (int k = 0; k < most && now.some.error.relative() > rounding; ++k) {
-    const std::vector<Candidate> all = position_changes(now.some, now.all.seeds, body, interval_of(run), exact);
-    const auto label = best_of(all, now, run, exact);
+    const std::vector<Candidate> all =
+        position_changes(now.some, now.all.seeds, body, interval_of(run), exact, left_out);
+    const auto label = best_of(all, now, exact);
     if (!label) break;
     labels.push_back(*label);
   }
   return labels;
+}
+
+void take(const std::vector<Label>& labels, JudgedRun& run) {
+  for (const Label& label : labels) label.change(run);
 }
 
 }  // namespace assay::drivers

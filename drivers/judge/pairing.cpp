@@ -4,64 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
+#include <optional>
 
+#include "drivers/judge/point_grid.hpp"
 #include "drivers/text/numbers.hpp"
 
 namespace assay::drivers {
 
 namespace {
-
-/// Points in boxes of the size of their distance, for the nearest one.
-class PointGrid {
- public:
-  PointGrid(const std::vector<Vector3>& points, double size) : points_(points), size_(size > 0 ? size : 1) {
-    for (std::uint32_t k = 0; k < points.size(); ++k) {
-      if (points[k].allFinite()) boxes_[key(box_of(points[k]))].push_back(k);
-    }
-  }
-
-  /// None where no point lies in the boxes around.
-  std::optional<std::uint32_t> nearest(const Vector3& at) const {
-    std::optional<std::uint32_t> found;
-    double least = std::numeric_limits<double>::infinity();
-    const Box middle = box_of(at);
-    for (int reach = 1; reach <= 2 && !found; ++reach) {
-      for (long i = -reach; i <= reach; ++i) {
-        for (long j = -reach; j <= reach; ++j) {
-          for (long k = -reach; k <= reach; ++k) {
-            const auto box = boxes_.find(key({middle[0] + i, middle[1] + j, middle[2] + k}));
-            if (box == boxes_.end()) continue;
-            for (const std::uint32_t point : box->second) {
-              const double distance = (points_[point] - at).squaredNorm();
-              if (distance < least) least = distance, found = point;
-            }
-          }
-        }
-      }
-    }
-    return found;
-  }
-
- private:
-  using Box = std::array<long, 3>;
-  Box box_of(const Vector3& x) const {
-    Box box;
-    constexpr double most = 1e15;
-    for (std::size_t d = 0; d < 3; ++d)
-      box[d] = static_cast<long>(std::floor(std::clamp(x[static_cast<int>(d)] / size_, -most, most)));
-    return box;
-  }
-  static std::size_t key(const Box& box) {
-    std::size_t seed = 0;
-    for (const long index : box) seed = seed * 0x9e3779b97f4a7c15u + static_cast<std::size_t>(index);
-    return seed;
-  }
-
-  const std::vector<Vector3>& points_;
-  double size_;
-  std::unordered_map<std::size_t, std::vector<std::uint32_t>> boxes_;
-};
 
 /// Between neighbours, of some points the median; 1 where there are none.
 double spacing_of(const std::vector<Vector3>& X) {
@@ -82,30 +32,41 @@ double spacing_of(const std::vector<Vector3>& X) {
   return *middle;
 }
 
-std::unordered_map<double, std::uint32_t> seed_by_id(const Seeds& seeds) {
-  std::unordered_map<double, std::uint32_t> seed;
-  for (std::uint32_t k = 0; k < seeds.id.size(); ++k) seed.emplace(seeds.id[k], k);
-  return seed;
-}
-
 }  // namespace
 
-struct SeedFinder::Found {
-  std::unordered_map<double, std::uint32_t> by_id;
-  PointGrid at_rest;
+struct SeedFinder::ById {
+  using IdAndSeed = std::pair<double, std::uint32_t>;
+  std::vector<IdAndSeed> seeds;  ///< ascending
+  bool all_different = true;
+
+  explicit ById(const std::vector<double>& id) {
+    for (std::uint32_t k = 0; k < id.size(); ++k) {
+      if (!std::isnan(id[k])) seeds.emplace_back(id[k], k);
+    }
+    std::ranges::sort(seeds);
+    all_different = std::ranges::adjacent_find(seeds, {}, &IdAndSeed::first) == seeds.end();
+  }
+};
+
+struct SeedFinder::ByPlace {
+  PointGrid grid;
+  bool all_different = true;
+
+  explicit ByPlace(const Seeds& seeds) : grid(seeds.X, seeds.spacing) {
+    for (std::uint32_t k = 0; k < seeds.X.size() && all_different; ++k)
+      all_different = !seeds.X[k].allFinite() || grid.nearest(seeds.X[k]) == k;
+  }
 };
 
 SeedFinder::SeedFinder(const Seeds& seeds, Pairing pairing, ExactParticles& exact)
-    : seeds_(seeds),
-      pairing_(pairing),
-      exact_(exact),
-      found_(new Found{seed_by_id(seeds), PointGrid(seeds.X, seeds.spacing)}) {}
+    : seeds_(seeds), pairing_(pairing), exact_(exact) {}
 
 SeedFinder::~SeedFinder() = default;
 
 FramePairs SeedFinder::operator()(const JudgedFrame& frame) {
   FramePairs found;
-  std::vector<char> seen(seeds_.X.size(), 0);
+  seen_.assign(seeds_.X.size(), 0);
+  found.pairs.reserve(frame.size());
   std::vector<Vector3> now;
   std::optional<PointGrid> positions;
   if (pairing_ == Pairing::nearest) {
@@ -116,7 +77,7 @@ FramePairs SeedFinder::operator()(const JudgedFrame& frame) {
   for (std::uint32_t p = 0; p < frame.size(); ++p) {
     if (!frame.x[p].allFinite()) {
       ++found.not_numbers;
-      if (const auto seed = identity_of(frame, p)) seen[*seed] = 1;
+      if (const auto seed = identity_of(frame, p)) seen_[*seed] = 1;
       continue;
     }
     const std::optional<std::uint32_t> seed = positions ? positions->nearest(frame.x[p]) : identity_of(frame, p);
@@ -124,15 +85,15 @@ FramePairs SeedFinder::operator()(const JudgedFrame& frame) {
       ++found.unknown;
       continue;
     }
-    if (seen[*seed]) {
+    if (seen_[*seed]) {
       if (!positions) ++found.doubled;
       continue;
     }
-    seen[*seed] = 1;
+    seen_[*seed] = 1;
     found.pairs.push_back({p, *seed});
   }
   if (!positions) {
-    found.lost = static_cast<std::size_t>(std::count(seen.begin(), seen.end(), 0));
+    found.lost = static_cast<std::size_t>(std::count(seen_.begin(), seen_.end(), 0));
     return found;
   }
   // which ones are missing cannot be told, but how many are
@@ -142,13 +103,19 @@ FramePairs SeedFinder::operator()(const JudgedFrame& frame) {
   return found;
 }
 
-std::optional<std::uint32_t> SeedFinder::identity_of(const JudgedFrame& frame, std::uint32_t p) const {
+/// Most codes keep the order of their particles.
+std::optional<std::uint32_t> SeedFinder::identity_of(const JudgedFrame& frame, std::uint32_t p) {
   if (!frame.id.empty() && !seeds_.id.empty()) {
-    const auto at = found_->by_id.find(frame.id[p]);
-    return at == found_->by_id.end() ? std::nullopt : std::optional(at->second);
+    if (!by_id_) by_id_ = std::make_unique<const ById>(seeds_.id);
+    const double id = frame.id[p];
+    if (by_id_->all_different && p < seeds_.id.size() && seeds_.id[p] == id) return p;
+    const auto at = std::ranges::lower_bound(by_id_->seeds, id, {}, &ById::IdAndSeed::first);
+    return at == by_id_->seeds.end() || at->first != id ? std::nullopt : std::optional(at->second);
   }
   if (frame.X.empty() || !frame.X[p].allFinite()) return std::nullopt;
-  return found_->at_rest.nearest(frame.X[p]);
+  if (!by_place_) by_place_ = std::make_unique<const ByPlace>(seeds_);
+  if (by_place_->all_different && p < seeds_.X.size() && seeds_.X[p] == frame.X[p]) return p;
+  return by_place_->grid.nearest(frame.X[p]);
 }
 
 Seeds seeds_of(const JudgedRun& run, const ExactParticles& exact) {
@@ -182,9 +149,15 @@ Pairing pairing_of(const JudgedRun& run, const Seeds& seeds) {
 
 std::vector<Vector3> FramePairs::X(const JudgedFrame& frame, const Seeds& seeds, Pairing pairing) const {
   std::vector<Vector3> X;
+  put_X(frame, seeds, pairing, X);
+  return X;
+}
+
+void FramePairs::put_X(const JudgedFrame& frame, const Seeds& seeds, Pairing pairing, std::vector<Vector3>& X) const {
+  X.clear();
+  X.reserve(pairs.size());
   for (const Pair& pair : pairs)
     X.push_back(pairing == Pairing::reference_position ? frame.X[pair.particle] : seeds.X[pair.seed]);
-  return X;
 }
 
 }  // namespace assay::drivers

@@ -37,8 +37,9 @@ struct FramePairs {
   std::size_t lost = 0, doubled = 0, unknown = 0;  ///< seeds without a particle, and particles that are no seed's
   std::size_t not_numbers = 0;                     ///< particles whose position is none
 
-  /// Reference positions of the pairs [m].
+  /// Reference positions of the pairs [m]; and the same in a vector that is there.
   std::vector<Vector3> X(const JudgedFrame& frame, const Seeds& seeds, Pairing pairing) const;
+  void put_X(const JudgedFrame& frame, const Seeds& seeds, Pairing pairing, std::vector<Vector3>& X) const;
 };
 
 /// Finds the pairs of one frame after the other. Keeps what it is made of.
@@ -49,13 +50,16 @@ class SeedFinder {
   FramePairs operator()(const JudgedFrame& frame);
 
  private:
-  std::optional<std::uint32_t> identity_of(const JudgedFrame& frame, std::uint32_t p) const;
+  std::optional<std::uint32_t> identity_of(const JudgedFrame& frame, std::uint32_t p);
 
   const Seeds& seeds_;
   Pairing pairing_;
   ExactParticles& exact_;
-  struct Found;  ///< seeds by id and by place
-  std::unique_ptr<const Found> found_;
+  std::vector<char> seen_;  ///< seeds, in one frame
+  struct ById;
+  struct ByPlace;
+  std::unique_ptr<const ById> by_id_;  ///< made when they are first needed
+  std::unique_ptr<const ByPlace> by_place_;
 };
 
 }  // namespace assay::drivers

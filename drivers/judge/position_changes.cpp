@@ -2,6 +2,7 @@
 // What can be wrong with how positions and times are written down.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "drivers/judge/changes.hpp"
 #include "drivers/text/numbers.hpp"
@@ -12,9 +13,8 @@ namespace {
 
 void for_each_vector(JudgedRun& run, const auto& act) {
   for (JudgedFrame& frame : run.frames) {
-    for (auto* vectors : {&frame.X, &frame.x}) {
-      for (Vector3& x : *vectors) act(x, false);
-    }
+    for (Vector3& X : frame.X) act(X, false);
+    for (Vector3& x : frame.x) act(x, false);
     for (Vector3& v : frame.v) act(v, true);
   }
 }
@@ -67,7 +67,7 @@ void add_meanings(std::vector<Candidate>& all) {
                  }});
   all.push_back({"position_and_reference_exchanged", "x and X are exchanged", [](JudgedRun& run) {
                    for (JudgedFrame& frame : run.frames) {
-                     if (!frame.X.empty()) std::swap(frame.x, frame.X);
+                     if (!frame.X.empty()) frame.X = std::exchange(frame.x, frame.X);
                    }
                  }});
 }
@@ -156,18 +156,20 @@ void add_clock(std::vector<Candidate>& all, const JudgedState& now, double inter
   std::string in_frames;
   if (interval > 0 && std::abs(std::abs(offset) / interval - 1) < 0.03)
     in_frames = ", the interval of the frames: one is too many or missing at the beginning";
-  all.push_back({"clock_offset",
+  all.push_back({clock_offset,
                  "times are " + times(std::abs(offset)) + " s too " + (offset < 0 ? "late" : "early") + in_frames,
-                 clock(1, offset)});
+                 clock(1, offset), false, offset});
   const double scale = least_place(0.5, 2, [&](double factor) { return error_by(factor, 0); });
-  all.push_back({"clock_rate",
+  all.push_back({clock_rate,
                  "the clock is " + times(100 * std::abs(1 / scale - 1)) + " % too " + (scale < 1 ? "fast" : "slow") +
                      ": times are to be multiplied by " + times(scale),
-                 clock(scale, 0)});
+                 clock(scale, 0), false, scale - 1});
 }
 
-void add_identities(std::vector<Candidate>& all, const JudgedState& now) {
-  if (now.pairing == Pairing::nearest) return;
+/// spacing: of all particles [m].
+void add_identities(std::vector<Candidate>& all, const JudgedState& now, double spacing) {
+  constexpr double of_another = 0.5;  // of the spacing: no particle is taken for its neighbour
+  if (now.pairing == Pairing::nearest || now.error.worst < of_another * spacing) return;
   all.push_back({"identities_lost",
                  "ids or reference positions are not those of the same particle in all frames: positions fit if "
                  "each particle is taken for the nearest one",
@@ -183,12 +185,13 @@ void add_identities(std::vector<Candidate>& all, const JudgedState& now) {
 }  // namespace
 
 std::vector<Candidate> position_changes(const JudgedState& now, const Seeds& seeds, const Vector3& body,
-                                        double interval, ExactParticles& exact) {
+                                        double interval, ExactParticles& exact, const Causes& left_out) {
   std::vector<Candidate> all;
   const bool has_X = !now.run.map.seeds.empty() || !now.run.frames.front().X.empty();
-  add_units(all), add_meanings(all), add_axes(all, exact.dimension(), has_X), add_identities(all, now);
+  add_units(all), add_meanings(all), add_axes(all, exact.dimension(), has_X), add_identities(all, now, seeds.spacing);
   add_origin(all, seeds, body, exact.dimension());
   add_clock(all, now, interval, exact);
+  std::erase_if(all, [&](const Candidate& each) { return std::ranges::find(left_out, each.cause) != left_out.end(); });
   return all;
 }
 

@@ -29,12 +29,18 @@ fs::path output_of(const fs::path& grid) {
   return found.size() == 1 ? found[0] : grid;
 }
 
+/// Whether an export lies there that has no output yet.
+bool is_not_run(const fs::path& grid) {
+  std::error_code code;
+  return output_of(grid) == grid && fs::is_regular_file(grid / "seeds.csv", code);
+}
+
 /// What lies in a folder under names that end with a spacing, the coarsest first.
 std::vector<std::pair<double, std::string>> grids_in(const fs::path& folder) {
   std::vector<std::pair<double, std::string>> grids;
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(folder, code)) {
-    if (const auto h = grid_of_name(entry.path().filename().string()))
+    if (const auto h = grid_of_name(entry.path().filename().string()); h && !is_not_run(entry.path()))
       grids.emplace_back(*h, output_of(entry.path()).string());
   }
   std::ranges::sort(grids, std::greater());
@@ -97,6 +103,9 @@ CardRow row_of(const StandardProblem& problem, const JudgeFindings& findings) {
   row.id = problem.id, row.title = findings.title, row.good = findings.good, row.found = findings.verdict;
   row.order = findings.order, row.order_lower = findings.order_lower, row.order_upper = findings.order_upper;
   row.last_order = findings.last_order;
+  for (const MistakeFigures& each : findings.code_findings.mistakes) {
+    if (each.named) row.causes.push_back(each.mistake);
+  }
   for (const JudgedGrid& run : findings.runs) {
     CardGrid grid{run.h, run.error.l2_max, run.error.relative, {}};
     if (run.seconds) grid.core_s = *run.seconds * run.cores.value_or(1);
@@ -143,7 +152,13 @@ CardCode judged_code(const StandardSet& set, const std::string& folder, const st
     for (const JudgedGrid& grid : findings.runs) {
       if (!grid.machine.empty()) card.machine = grid.machine;
     }
-    card.rows.push_back(row_of(problem, findings));
+    CardRow row = row_of(problem, findings);
+    constexpr double same = 1.01;
+    if (task.h.back() > same * problem.grids.back()) {
+      row.good = false;
+      row.found = "the finest grid, h = " + rounded_text(problem.grids.back(), 4) + ", was not run; " + row.found;
+    }
+    card.rows.push_back(std::move(row));
   }
   if (card.run() == 0) {
     throw InputError({folder, 0, 0}, "", "holds no results of the standard set: they lie in ID/h_0.1, ID/h_0.05, ...",

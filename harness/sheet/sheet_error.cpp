@@ -102,7 +102,7 @@ void add_tails(const std::vector<BandSeries>& tables, double range, SheetError& 
   }
 }
 
-constexpr int radii = 64, times = 32;  ///< at which b is looked at, away from the ring's edges
+constexpr int radii = 64, instants = 32;  ///< at which b is looked at, away from the ring's edges
 
 }  // namespace
 
@@ -143,8 +143,8 @@ double force_error(const Motion& motion, double density, const Sheet& sheet, dou
   const double dtau_error = sheet.error().dtau * sheet.error().dtau_scale;
   const Annulus ring = *ring_of(motion);
   double largest_error = 0, largest_force = 0;
-  for (int j = 0; j < times; ++j) {
-    const double t = end * (j + 0.5) / times;
+  for (int j = 0; j < instants; ++j) {
+    const double t = end * (j + 0.5) / instants;
     const Isochrone isochrone = sheet.isochrone(t);
     for (int i = 0; i < radii; ++i) {
       const double R = ring.inner + (ring.outer - ring.inner) * (i + 0.5) / radii;

@@ -22,13 +22,13 @@ const std::map<std::string, std::set<std::string>> may_include{
 
 /// The rooms of a floor, the lowest first; "": files in no room. A room includes itself and those below.
 const std::map<std::string, std::vector<std::string>> rooms{
-    {"harness", {"", "numeric", "material", "motion", "history", "sheet", "stability", "exact", "check"}},
+    {"harness", {"", "numeric", "material", "motion", "history", "sheet", "stability", "exact", "perturbed", "check"}},
     {"mpm",
      {"data", "grid", "basis", "setup", "seeding", "kernels", "step", "mass", "material", "effects", "", "patch"}},
     {"adapters", {"models", "", "foreign", "process", "worker", "abaqus"}},
-    {"drivers", {"text",   "system",     "format",   "picture",      "result",  "scene",      "material",
-                 "output", "simulation", "check",    "findings",     "explain", "tabulation", "library",
-                 "study",  "judge",      "standard", "command_line", "export",  "verbs",      ""}},
+    {"drivers", {"text",       "system",   "format",       "picture", "result",     "scene",   "material", "output",
+                 "simulation", "check",    "findings",     "explain", "tabulation", "library", "study",    "mistakes",
+                 "judge",      "standard", "command_line", "export",  "verbs",      ""}},
 };
 
 /// Foreign headers that only one floor may know.

@@ -139,7 +139,7 @@ TEST(ParticleCodes, JudgeReadsTheArchivesOfNairn) {
   const ExportedProblem problem = exported(options);
   const ScratchFolder scratch;
   write_export(scratch, options);
-  fs::create_directories(scratch / "h_0.3/out");
+  fs::create_directories(scratch / "h_0.3/archive");
   const ExportedGrid& grid = problem.grids.front();
   for (const double t : {0.0, 0.27, 0.52, 1.0}) {
     std::string text = "Source points\nTime " + six(t) +
@@ -151,9 +151,9 @@ TEST(ParticleCodes, JudgeReadsTheArchivesOfNairn) {
       text += six(s.x.x()) + "\t" + six(s.x.y()) + "\t" + six(u.x()) + "\t" + six(u.y()) + "\t" + six(s.v.x()) + "\t" +
               six(s.v.y()) + "\n";
     }
-    scratch.write("h_0.3/out/points." + std::to_string(static_cast<int>(100 * t)), text + "Done\n");
+    scratch.write("h_0.3/archive/points." + std::to_string(static_cast<int>(100 * t)), text + "Done\n");
   }
-  scratch.write("h_0.3/out/points.global", "no archive\n");
+  scratch.write("h_0.3/archive/points.global", "no archive\n");
   scratch.write("ExtractMPM", extract);
   expect_runs(scratch, "chmod +x ExtractMPM && PATH=\"$PWD:$PATH\" python3 to_csv.py h_0.3");
   EXPECT_LT(judged_error(scratch, "h_0.3/out.csv"), of_six_digits);

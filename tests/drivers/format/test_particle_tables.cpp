@@ -210,6 +210,16 @@ TEST_F(ParticleTables, OfArraysOfNumPy) {
   EXPECT_EQ(two[1].time, 1);
   EXPECT_EQ(array(two[1], "x", 2)[0], 20);
   EXPECT_EQ(array(two[1], "id"), Values(10, 3));
+  // three times of two particles, which are fewer than a tensor has components
+  Values few(12);
+  for (std::size_t k = 0; k < few.size(); ++k) few[k] = static_cast<double>(k);
+  const auto three = tables("d.npz", npz({{"t", {0, 1, 2}, {3}}, {"id", {7, 8}, {2}}, {"x", few, {3, 2, 2}}}));
+  ASSERT_EQ(three.size(), 3u);
+  EXPECT_EQ(array(three[2], "x", 2), (Values{8, 9, 10, 11}));
+  // the first index is the fastest
+  std::string by_columns = npy({1, 2, 3, 4, 5, 6}, {3, 2});
+  by_columns.replace(by_columns.find("False"), 5, "True ");
+  EXPECT_EQ(array(table("e.npy", by_columns), "x", 2), (Values{1, 4, 2, 5, 3, 6}));
   EXPECT_NE(refusal("c.npz", npz({{"x", {1, 2}, {2}}, {"y", {1, 2, 3}, {3}}})).find("3 rows"), std::string::npos);
 }
 

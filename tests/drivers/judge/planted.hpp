@@ -28,15 +28,17 @@ class Planted {
   static constexpr int times = 9;
   static constexpr double spacing = 0.06, error = 0.005;
 
-  explicit Planted(std::string scene = ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml", double error_rate = error)
+  /// error_rate: of the positions [m/s]; apart: the particles [m].
+  explicit Planted(std::string scene = ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml", double error_rate = error,
+                   double apart = spacing)
       : scene_file(std::move(scene)), error_rate_(error_rate) {
     scene_ = read_scene(scene_file, {});
     std::string library;
     solution_ = exact_solution_of_points(scene_, material_of(scene_, library), 1.1 * scene_.time.end);
     const bool ring = scene_.motion->polar();
     const double half = ring ? 1.5 : 0.5;  // of the body
-    for (double x = -half + spacing / 2; x < half; x += spacing) {
-      for (double y = -half + spacing / 2; y < half; y += spacing) {
+    for (double x = -half + apart / 2; x < half; x += apart) {
+      for (double y = -half + apart / 2; y < half; y += apart) {
         if (!ring || std::abs(std::hypot(x, y) - 1) < 0.25) X_.emplace_back(x, y, 0);
       }
     }

@@ -124,31 +124,6 @@ TEST_F(Judge, NamesTurnedAxes) {
   }
 }
 
-TEST_F(Judge, NamesClocks) {
-  const auto at = [](const std::function<double(double)>& label) {
-    Planted planted;
-    planted.for_each([&](JudgedFrame& f) { f.t = label(f.t); });
-    return planted;
-  };
-  expect_label(at([](double t) { return t + 0.02; }), "clock_offset");
-  expect_label(at([](double t) { return t + 0.02; }), "clock_offset", {"id", "x", "v"});
-  expect_label(at([](double t) { return 1.03 * t; }), "clock_rate");
-  expect_label(at([](double t) { return 0.97 * t; }), "clock_rate");
-  Planted once_more;  // the first frame is written twice
-  for (std::size_t k = once_more.frames.size(); k-- > 1;) {
-    const double t = once_more.frames[k].t;
-    once_more.frames[k] = once_more.frames[k - 1];
-    once_more.frames[k].t = t;
-  }
-  constexpr double last = (Planted::times - 2.0) / (Planted::times - 1);  // the error grows with time
-  const Verdict found = judged(once_more);
-  EXPECT_EQ(found.causes(), (Names{"clock_offset", "ends_early"}));
-  EXPECT_NEAR(found.l2(), last * plain_, 0.02 * plain_);
-  Planted half_a_step;
-  half_a_step.for_each([&](JudgedFrame& f) { f.v = half_a_step.frame(f.t, -0.01).v; });
-  expect_label(half_a_step, "velocity_time");
-}
-
 TEST_F(Judge, NamesLostIdentities) {
   Planted planted;
   std::mt19937 random(1);

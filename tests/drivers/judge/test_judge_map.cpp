@@ -92,7 +92,7 @@ TEST_F(JudgeMaps, EachRunHasItsOwnSeeds) {
   const auto seeds_of_run = [&](const std::string& run, const std::string& seeds) {
     const JudgedRun read =
         read_judged_run(scratch_ / run, map("time: {from: column, column: t}\nseeds: " + seeds + "\n"));
-    return read_seeds(read.map.seeds, read.map).X.at(0).x();
+    return read_seeds(read.map.seeds, read.map).X[0].x();
   };
   for (const char* folder : {"h_1", "h_2", "h_2/out"}) std::filesystem::create_directory(scratch_ / folder);
   for (const char* run : {"h_1/out.csv", "h_2/out/a.csv", "alone.csv"}) scratch_.write(run, "t,id,x,y\n0,1,5,0\n");

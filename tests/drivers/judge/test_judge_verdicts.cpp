@@ -83,7 +83,27 @@ TEST_F(JudgeVerdicts, AnErrorThatDoesNotFallIsNotGood) {
   EXPECT_EQ(found.status, 1);
   EXPECT_TRUE(says(found, "does not fall")) << found.json["verdict"];
   const std::string finer = file("finer.csv", Planted(planted_.scene_file, 0.25 * Planted::error));
-  EXPECT_EQ(of_runs({run, finer}, "0.1,0.05").status, 0);
+  const Verdict right = of_runs({run, finer}, "0.1,0.05");
+  EXPECT_EQ(right.status, 0);
+  EXPECT_NE(std::string(right.json["mistakes_of_code"]["sentence"]).find("a wrong bulk modulus is not seen"),
+            std::string::npos);
+}
+
+/// As under gravity: no force that turns with the body does that.
+TEST_F(JudgeVerdicts, AnErrorThatGoesAroundTheRingOnceIsSaidToDoSo) {
+  const auto fallen = [](double apart) {
+    Planted planted(Planted().scene_file, 0.01 * Planted::error, apart);
+    planted.for_each([](JudgedFrame& f) {
+      for (Vector3& x : f.x) x.y() -= 0.05 * f.t * f.t;
+    });
+    return planted;
+  };
+  const Verdict found = of_runs({file("coarse.csv", fallen(0.12)), file("fine.csv", fallen(0.06))});
+  const auto& code = found.json["mistakes_of_code"];
+  EXPECT_EQ(code["answer"], "unknown") << code.dump(1).substr(0, 2000);
+  EXPECT_NE(std::string(code["sentence"]).find("goes around the ring once, as of a force of one direction"),
+            std::string::npos)
+      << code["sentence"];
 }
 
 TEST_F(JudgeVerdicts, ARunThatBlowsUpIsNotALabel) {

@@ -112,6 +112,30 @@ TEST_F(StandardRun, ARunThatEndsEarlyOrIsDamagedIsNotGood) {
   EXPECT_EQ(row["causes"], nlohmann::json({"ends_early"}));
 }
 
+TEST_F(StandardRun, WithoutTheFinestGridIsNotGood) {
+  ASSERT_EQ(status_of(options("run", "own")), 0);
+  const fs::path problem = fs::path(scratch_ / "own") / "cpdi2/rotating_stretch";
+  const auto judged = [&] {
+    StandardOptions again = options("judge", "again");
+    again.folders = {scratch_ / "own/cpdi2"};
+    EXPECT_EQ(status_of(again), 1);
+    return card("again")["codes"][0]["rows"][0];
+  };
+  double finest = 1;
+  for (const auto& each : fs::directory_iterator(problem)) {
+    if (const auto h = grid_of_name(each.path().filename().string())) finest = std::min(finest, *h);
+  }
+  const fs::path grid = problem / folder_of_grid(finest);
+  fs::remove_all(grid);
+  auto row = judged();
+  EXPECT_FALSE(row["good"]);
+  EXPECT_EQ(std::string(row["found"]).find("the finest grid, h = "), 0u) << row["found"];
+  // an export that was not run is no grid
+  fs::create_directory(grid);
+  write_file(grid / "seeds.csv", "id,X,Y\n1,0,0\n");
+  EXPECT_EQ(judged(), row);
+}
+
 TEST_F(StandardRun, AFolderWithoutResultsIsRefused) {
   StandardOptions given = options("judge", "card");
   given.folders = {scratch_ / "."};
