@@ -36,10 +36,8 @@ inline constexpr double rounding = 1e-9;  ///< an error of this share of the dis
 std::vector<Candidate> position_changes(const JudgedState& now, const Seeds& seeds, const Vector3& body,
                                         double interval, ExactParticles& exact, const Causes& left_out);
 
-/// Some frames evenly over the time, the first one, from which the seeds may come, among them.
-JudgedRun few_of(const JudgedRun& run);
-
-/// The same of some particles, the same ones in all frames, where that can be told.
+/// Some frames evenly over the time, the first one, from which the seeds may come, among them; of some particles, the
+/// same ones in all frames, where that can be told.
 JudgedRun thin_of(const JudgedRun& run);
 
 /// Whether no frame lies between a fifth and four fifths of the period, of which `half` is the half [s].

@@ -56,14 +56,13 @@ void check_spacings(const std::vector<JudgedGrid>& runs, std::vector<std::string
   }
 }
 
-/// The runs become ones without the labels that are found, clocks that are doubtful left out.
-void take_labels(std::vector<JudgedRun>& runs, const ExactParticles& motion, std::vector<std::string>& warnings,
+/// The runs become ones without the labels that are found, clocks that are doubtful left out. spacing: of each run's
+/// particles [m].
+void take_labels(std::vector<JudgedRun>& runs, const std::vector<double>& spacing, std::vector<std::string>& warnings,
                  std::vector<std::vector<Label>>& labels,
                  const std::function<std::vector<Label>(const JudgedRun&, const Causes&)>& found_in) {
   Causes left_out;
   std::vector<std::vector<Label>> found(runs.size());
-  std::vector<double> spacing;
-  for (const JudgedRun& run : runs) spacing.push_back(seeds_of(run, motion).spacing);
   for (bool again = true; again;) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
       found[k] = found_in(runs[k], left_out);
@@ -114,15 +113,17 @@ JudgeFindings findings_of(Scene scene, const JudgeTask& task) {
     stress = stress || !runs.back().frames.back().sigma.empty();
     stop_if_interrupted();
   }
+  std::vector<double> spacing;
+  for (const JudgedRun& run : runs) spacing.push_back(seeds_of(run, motion).spacing);
   std::vector<std::vector<Label>> labels(runs.size());
-  take_labels(runs, motion, findings.warnings, labels, [&](const JudgedRun& run, const Causes& left_out) {
+  take_labels(runs, spacing, findings.warnings, labels, [&](const JudgedRun& run, const Causes& left_out) {
     return position_labels(run, centre, motion, left_out);
   });
   for (const JudgedRun& run : runs) end = std::max(end, run.frames.back().t);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
   ExactParticles exact(
       stress ? exact_solution_of_points(scene, material, end, task.quiet) : motion_alone(scene, material), dimension);
-  take_labels(runs, motion, findings.warnings, labels,
+  take_labels(runs, spacing, findings.warnings, labels,
               [&](const JudgedRun& run, const Causes& left_out) { return field_labels(run, exact, left_out); });
   const std::string why_not = why_no_mistakes(scene);
   if (!why_not.empty()) findings.code_findings.sentence = "mistakes of the code are not looked for " + why_not;

@@ -72,13 +72,13 @@ std::vector<std::size_t> few_frames(const JudgedRun& run, std::size_t wanted = 6
 
 JudgedRun without_frames(const JudgedRun& run) { return {run.name, run.map, {}, run.time_words, {}, run.rounding}; }
 
-}  // namespace
-
 JudgedRun few_of(const JudgedRun& run) {
   JudgedRun few = without_frames(run);
   for (const std::size_t k : few_frames(run)) few.frames.push_back(run.frames[k]);
   return few;
 }
+
+}  // namespace
 
 JudgedRun thin_of(const JudgedRun& run) {
   constexpr std::size_t most = 2000;

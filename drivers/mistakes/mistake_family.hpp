@@ -13,6 +13,17 @@
 
 namespace assay::drivers {
 
+/// What the mistakes of a family are made of.
+struct SizedMistake : Mistake {
+  explicit SizedMistake(double of_size) : size(of_size) {}
+  double size;
+};
+
+template <class Kind>
+std::unique_ptr<Mistake> planted(double size) {
+  return std::make_unique<Kind>(size);
+}
+
 /// A mistake of any size: a factor, a time.
 struct MistakeFamily {
   const char* name;                ///< "initial_velocity"

@@ -7,12 +7,11 @@ namespace assay::drivers {
 
 namespace {
 
-struct BodyForceTimes : Mistake {
-  explicit BodyForceTimes(double of_size) : size(of_size) {}
+struct BodyForceTimes : SizedMistake {
+  using SizedMistake::SizedMistake;
   Vector3 body_force(const ExactForce& exact, const Vector3& X, const Vector3&, double t) const override {
     return size * exact.at(X, t).body_force();
   }
-  double size;
 };
 
 std::string body_force_words(double size) {
@@ -29,7 +28,7 @@ MistakeFamily mistake_body_force() {
       .doc = "no body force, its sign, a factor",
       .sizes = {0, -1, 0.5, 2},
       .small = 0.05,
-      .plant = [](double size) -> std::unique_ptr<Mistake> { return std::make_unique<BodyForceTimes>(size); },
+      .plant = planted<BodyForceTimes>,
       .words = body_force_words,
       .applies = [](const PerturbedProblem& problem) { return problem.has_acceleration || problem.has_static_force; }};
 }

@@ -7,10 +7,9 @@ namespace assay::drivers {
 
 namespace {
 
-struct Damping : Mistake {
-  explicit Damping(double of_size) : size(of_size) {}
+struct Damping : SizedMistake {
+  using SizedMistake::SizedMistake;
   double damping() const override { return size; }
-  double size;
 };
 
 }  // namespace
@@ -21,7 +20,7 @@ MistakeFamily mistake_damping() {
           .right = 0,
           .small = 0.1,
           .range = {-20, 20},
-          .plant = [](double size) -> std::unique_ptr<Mistake> { return std::make_unique<Damping>(size); },
+          .plant = planted<Damping>,
           .words =
               [](double size) {
                 return size > 0 ? "velocities are damped at a rate of " + rounded_text(size, 3) +

@@ -7,14 +7,13 @@ namespace assay::drivers {
 
 namespace {
 
-struct ForceTurned : Mistake {
-  explicit ForceTurned(double of_size) : size(of_size) {}
+struct ForceTurned : SizedMistake {
+  using SizedMistake::SizedMistake;
   Vector3 body_force(const ExactForce& exact, const Vector3& X, const Vector3&, double t) const override {
     const ForceParts parts = exact.at(X, t);
     const double alpha = std::atan2(X.x() * parts.x.y() - X.y() * parts.x.x(), X.dot(parts.x));
     return rotation_about_z((size - 1) * alpha) * parts.body_force();
   }
-  double size;
 };
 
 std::string force_rotation_words(double size) {
@@ -29,7 +28,7 @@ MistakeFamily mistake_force_rotation() {
   return {.name = "force_rotation",
           .doc = "b lacks the rotation by alpha, or is turned by it twice",
           .sizes = {0, 2, -1},
-          .plant = [](double size) -> std::unique_ptr<Mistake> { return std::make_unique<ForceTurned>(size); },
+          .plant = planted<ForceTurned>,
           .words = force_rotation_words,
           .applies = [](const PerturbedProblem& problem) { return problem.exact->motion()->polar() != nullptr; }};
 }

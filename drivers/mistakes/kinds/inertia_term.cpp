@@ -7,13 +7,12 @@ namespace assay::drivers {
 
 namespace {
 
-struct InertiaTimes : Mistake {
-  explicit InertiaTimes(double of_size) : size(of_size) {}
+struct InertiaTimes : SizedMistake {
+  using SizedMistake::SizedMistake;
   Vector3 body_force(const ExactForce& exact, const Vector3& X, const Vector3&, double t) const override {
     const ForceParts parts = exact.at(X, t);
     return size * parts.a + parts.static_force;
   }
-  double size;
 };
 
 std::string inertia_words(double size) {
@@ -29,7 +28,7 @@ MistakeFamily mistake_inertia_term() {
           .doc = "the acceleration in b is missing, or has the wrong sign",
           .sizes = {0, -1, 2},
           .small = 0.05,
-          .plant = [](double size) -> std::unique_ptr<Mistake> { return std::make_unique<InertiaTimes>(size); },
+          .plant = planted<InertiaTimes>,
           .words = inertia_words,
           .applies = [](const PerturbedProblem& problem) { return problem.has_acceleration; }};
 }

@@ -7,10 +7,9 @@ namespace assay::drivers {
 
 namespace {
 
-struct InitialVelocityTimes : Mistake {
-  explicit InitialVelocityTimes(double of_size) : size(of_size) {}
+struct InitialVelocityTimes : SizedMistake {
+  using SizedMistake::SizedMistake;
   Vector3 initial_velocity(const Vector3& v) const override { return size * v; }
-  double size;
 };
 
 std::string initial_velocity_words(double size) {
@@ -26,7 +25,7 @@ MistakeFamily mistake_initial_velocity() {
           .doc = "no initial velocity, half of it, its sign",
           .sizes = {0, 0.5, -1, 2},
           .small = 0.05,
-          .plant = [](double size) -> std::unique_ptr<Mistake> { return std::make_unique<InitialVelocityTimes>(size); },
+          .plant = planted<InitialVelocityTimes>,
           .words = initial_velocity_words,
           .applies = [](const PerturbedProblem& problem) { return problem.moves_at_first; }};
 }

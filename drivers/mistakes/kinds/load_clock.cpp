@@ -7,10 +7,9 @@ namespace assay::drivers {
 
 namespace {
 
-struct LoadClock : Mistake {
-  explicit LoadClock(double of_size) : size(of_size) {}
+struct LoadClock : SizedMistake {
+  using SizedMistake::SizedMistake;
   double load_time(double t) const override { return size * t; }
-  double size;
 };
 
 }  // namespace
@@ -20,7 +19,7 @@ MistakeFamily mistake_load_clock() {
           .doc = "the clock of the loads is fast or slow",
           .small = 0.02,
           .range = {0.5, 2},
-          .plant = [](double size) -> std::unique_ptr<Mistake> { return std::make_unique<LoadClock>(size); },
+          .plant = planted<LoadClock>,
           .words = [](double size) { return "the clock of the loads runs at " + times_words(size) + " its rate"; }};
 }
 

@@ -7,10 +7,9 @@ namespace assay::drivers {
 
 namespace {
 
-struct LoadLate : Mistake {
-  explicit LoadLate(double of_size) : size(of_size) {}
+struct LoadLate : SizedMistake {
+  using SizedMistake::SizedMistake;
   double load_time(double t) const override { return t - size; }
-  double size;
 };
 
 }  // namespace
@@ -21,11 +20,10 @@ MistakeFamily mistake_load_delay() {
           .right = 0,
           .small = 0.01,
           .range = {-0.2, 0.2},
-          .plant = [](double size) -> std::unique_ptr<Mistake> { return std::make_unique<LoadLate>(size); },
-          .words =
-              [](double size) {
-                return "the loads are " + rounded_text(std::abs(size), 3) + (size > 0 ? " s late" : " s early");
-              }};
+          .plant = planted<LoadLate>,
+          .words = [](double size) {
+            return "the loads are " + rounded_text(std::abs(size), 3) + (size > 0 ? " s late" : " s early");
+          }};
 }
 
 }  // namespace assay::drivers

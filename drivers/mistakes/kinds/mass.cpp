@@ -7,10 +7,9 @@ namespace assay::drivers {
 
 namespace {
 
-struct MassTimes : Mistake {
-  explicit MassTimes(double of_size) : size(of_size) {}
+struct MassTimes : SizedMistake {
+  using SizedMistake::SizedMistake;
   double mass() const override { return size; }
-  double size;
 };
 
 }  // namespace
@@ -21,7 +20,7 @@ MistakeFamily mistake_mass() {
           .sizes = {0.5, 2},
           .small = 0.05,
           .range = {0.1, 10},
-          .plant = [](double size) -> std::unique_ptr<Mistake> { return std::make_unique<MassTimes>(size); },
+          .plant = planted<MassTimes>,
           .words = [](double size) { return "the mass is " + times_words(size) + " what it should be"; }};
 }
 

@@ -7,13 +7,12 @@ namespace assay::drivers {
 
 namespace {
 
-struct MassOfInertiaTimes : Mistake {
-  explicit MassOfInertiaTimes(double of_size) : size(of_size) {}
+struct MassOfInertiaTimes : SizedMistake {
+  using SizedMistake::SizedMistake;
   double mass() const override { return size; }
   Vector3 body_force(const ExactForce& exact, const Vector3& X, const Vector3& /*x*/, double t) const override {
     return exact.at(X, t).body_force() / size;
   }
-  double size;
 };
 
 }  // namespace
@@ -26,11 +25,10 @@ MistakeFamily mistake_mass_of_inertia() {
           .sizes = {0.5, 2},
           .small = 0.05,
           .range = {0.1, 10},
-          .plant = [](double size) -> std::unique_ptr<Mistake> { return std::make_unique<MassOfInertiaTimes>(size); },
-          .words =
-              [](double size) {
-                return "the mass that is accelerated is " + times_words(size) + " that under the body force";
-              }};
+          .plant = planted<MassOfInertiaTimes>,
+          .words = [](double size) {
+            return "the mass that is accelerated is " + times_words(size) + " that under the body force";
+          }};
 }
 
 }  // namespace assay::drivers

@@ -7,10 +7,9 @@ namespace assay::drivers {
 
 namespace {
 
-struct StiffnessTimes : Mistake {
-  explicit StiffnessTimes(double of_size) : size(of_size) {}
+struct StiffnessTimes : SizedMistake {
+  using SizedMistake::SizedMistake;
   Tensor stress(const Tensor& P, const Tensor&) const override { return size * P; }
-  double size;
 };
 
 }  // namespace
@@ -21,11 +20,10 @@ MistakeFamily mistake_stiffness() {
           .sizes = {0.5, 2},
           .small = 0.05,
           .range = {0.1, 10},
-          .plant = [](double size) -> std::unique_ptr<Mistake> { return std::make_unique<StiffnessTimes>(size); },
-          .words =
-              [](double size) {
-                return "all stresses are " + times_words(size) + " what they should be, as of a wrong modulus";
-              }};
+          .plant = planted<StiffnessTimes>,
+          .words = [](double size) {
+            return "all stresses are " + times_words(size) + " what they should be, as of a wrong modulus";
+          }};
 }
 
 }  // namespace assay::drivers

@@ -7,13 +7,12 @@ namespace assay::drivers {
 
 namespace {
 
-struct StressTermTimes : Mistake {
-  explicit StressTermTimes(double of_size) : size(of_size) {}
+struct StressTermTimes : SizedMistake {
+  using SizedMistake::SizedMistake;
   Vector3 body_force(const ExactForce& exact, const Vector3& X, const Vector3&, double t) const override {
     const ForceParts parts = exact.at(X, t);
     return parts.a + size * parts.static_force;
   }
-  double size;
 };
 
 std::string stress_term_words(double size) {
@@ -29,7 +28,7 @@ MistakeFamily mistake_stress_term() {
           .doc = "the divergence of the stress in b is missing, or has the wrong sign",
           .sizes = {0, -1, 2},
           .small = 0.05,
-          .plant = [](double size) -> std::unique_ptr<Mistake> { return std::make_unique<StressTermTimes>(size); },
+          .plant = planted<StressTermTimes>,
           .words = stress_term_words,
           .applies = [](const PerturbedProblem& problem) { return problem.has_static_force; }};
 }

@@ -7,10 +7,9 @@ namespace assay::drivers {
 
 namespace {
 
-struct TractionsTimes : Mistake {
-  explicit TractionsTimes(double of_size) : size(of_size) {}
+struct TractionsTimes : SizedMistake {
+  using SizedMistake::SizedMistake;
   Vector3 traction(const Vector3& T, const Vector3&) const override { return size * T; }
-  double size;
 };
 
 std::string tractions_words(double size) {
@@ -26,7 +25,7 @@ MistakeFamily mistake_tractions() {
           .doc = "no tractions on the surface, their sign, a factor",
           .sizes = {0, -1, 0.5, 2},
           .small = 0.05,
-          .plant = [](double size) -> std::unique_ptr<Mistake> { return std::make_unique<TractionsTimes>(size); },
+          .plant = planted<TractionsTimes>,
           .words = tractions_words,
           .applies = [](const PerturbedProblem& problem) { return problem.exact->motion()->bears_tractions(); }};
 }

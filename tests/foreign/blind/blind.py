@@ -24,7 +24,8 @@ if "--second" in sys.argv:
     sys.argv.remove("--second")
     sys.path.insert(0, os.path.join(HERE, "second"))
 from cases import CASES
-from scenes import LINE, MOTIONS, RING, edges_of, path_text, text_of
+from codes import RING, text_of
+from scenes import ELASTIC, LINE, MOTIONS, path_text
 
 LEAST_FOUND = 0.9
 
@@ -56,7 +57,7 @@ def read(name):
 
 def ran(program, code, scene, cells, change, folder):
     """Runs the case on two grids: names of its outputs, their spacings, and more words for judge."""
-    kind, low, high = edges_of(scene)
+    kind, low, high = MOTIONS[scene.split("_")[0]][1]
     grids = [(high - low) / n for n in (cells, 2 * cells)]
     outputs = []
     if code == "fenics":
@@ -84,7 +85,7 @@ def ran(program, code, scene, cells, change, folder):
 
 def judged(program, code, scene, cells, change, folder):
     os.makedirs(folder, exist_ok=True)
-    write(folder, "scene.yaml", text_of(scene))
+    write(folder, "scene.yaml", text_of(scene, MOTIONS, ELASTIC))
     write(folder, "path.csv", path_text())
     write(folder, "line.csv", LINE)
     outputs, grids, more = ran(program, code, scene, cells, change, folder)

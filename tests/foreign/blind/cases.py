@@ -8,28 +8,8 @@ change: for mpm (mistake, size[, method]), else pairs of texts of the code that 
 truth: names of mistakes that are the same in this motion, "unknown" where no dictionary has it, "none" if unspoilt.
 separable: whether its effect should be at least four times the error of the fine grid, and like no other mistake.
 """
-# Where the codes have what is changed.
-FX_FORCE = "return force(t)[row]"
-FX_INNER = "- inner / (DENSITY * volume)"
-FX_BEGIN = "    frames = [(0.0, X.copy(), v)]"
-FX_END = "        sys.exit(f\"{folder}: the nodes of the mesh are not those of seeds.csv\")\n"
-FX_ASSAY = FX_END + "    import assay\n    known = assay.Problem('scene.yaml')\n"
-FX_SMALL = [("strain = (F.T * F - ufl.Identity(F.ufl_shape[0])) / 2", "strain = (F.T + F) / 2 - ufl.Identity(2)")]
-Q_B = 'b = points(t, "b")[:, :2]'
-Q_BEGIN = "frames = [(0.0, x.copy(), v.copy())]"
-Q_LOADS = '    """Forces on the nodes but for those of the stress."""\n'
-Q_T = "T = surface.tractions(t, N)[:, :2]"
-Q_P = "P = stress(F, dt, memory)"
-BACK = ("\n    place = points(t, 'x')[:, :2] @ [1, 1j]\n"
-        "    turn = (X @ [1, 1j]) / place * abs(place) / np.hypot(*X.T)\n"
-        "    b = b @ [1, 1j] {} turn\n    b = np.stack([b.real, b.imag], 1)")
-
-GOOD = ("{basis: bspline2, formulation: total, transfer: aflip, mass: series, terms: 4, integrator: leapfrog,"
-        " courant: 0.4}")
-CPDI = "{basis: cpdi2, transfer: aflip, mass: series, terms: 2, integrator: leapfrog, courant: 0.4}"
-PIC = "{basis: bspline2, formulation: total, transfer: pic, courant: 0.4}"
-FLIP = "{basis: linear, formulation: total, transfer: flip, courant: 0.4}"
-XPIC = "{basis: ugimp, formulation: total, transfer: xpic, terms: 3, courant: 0.4}"
+from codes import (BACK, CPDI, FLIP, FX_ASSAY, FX_BEGIN, FX_END, FX_FORCE, FX_INNER, FX_SMALL, GOOD, PIC, Q_B,
+                   Q_BEGIN, Q_LOADS, Q_P, Q_T, XPIC)
 
 CASES = [
     # Our own particle methods.

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The problems of the blind cases: text of a scene, edges of the body, and what the particle methods need besides."""
+"""The problems of the blind cases: motions with the edges of their bodies, and materials."""
 import math
 
-RING = ["body={domain: ring, lattice: polar, per_cell: [2, 2]}"]
 ELASTIC = {
     "mr": "{adapter: mooney_rivlin, parameters: {c10: 240, c01: 90, bulk_modulus: 1500}, density: 900}",
     "svk": "{adapter: saint_venant_kirchhoff, parameters: {E: 1500, nu: 0.25}, density: 800}",
@@ -20,26 +19,13 @@ MOTIONS = {  # motion, edge of the body, end
              " amplitude: {type: sine, peak: 0.2}}", ("ring", 0.5, 1.1), 1.1),
     "turn": ("{type: rotating_stretch, stretch: 0.35, shear: 0.2, rotation: 0.8, axis: [0, 0, 1],"
              " rotate: simultaneous, period: 1.2}", ("box", -0.5, 0.5), 1.2),
-    "path": ("{type: homogeneous, path: path.csv, interpolation: spline}", ("box", 0.0, 1.0), 1.0),         # with acceleration
-    "line": ("{type: homogeneous, path: line.csv}", ("box", 0.0, 1.0), 0.7),         # without
+    "path": ("{type: homogeneous, path: path.csv, interpolation: spline}", ("box", 0.0, 1.0), 1.0),
+    "line": ("{type: homogeneous, path: line.csv}", ("box", 0.0, 1.0), 0.7),
     "pull": ("{type: homogeneous, period: 0.7, final: [[1.35, 0.1, 0], [0, 1.15, 0], [0, 0, 1]]}",
-             ("box", 0.0, 1.0), 0.7),                                                 # without
+             ("box", 0.0, 1.0), 0.7),
     "waves": ("{type: axis_aligned, amplitude: {type: sine, peak: 0.08}, wave_speed: 1.3}", ("box", 0.0, 1.0),
               1 / 1.3),
 }
-
-
-def text_of(name):
-    """Scene `motion_material`."""
-    motion, material = name.split("_")
-    way, (kind, low, high), end = MOTIONS[motion]
-    body = f"body: {{domain: square, lower: [{low}, {low}], upper: [{high}, {high}]" + (
-        ", outside: free}\n" if way.startswith("{type: vortex") else "}\n") if kind == "box" else ""
-    return f"motion: {way}\nmaterial: {ELASTIC[material]}\n{body}time: {{end: {end!r}}}\n"
-
-
-def edges_of(name):
-    return MOTIONS[name.split("_")[0]][1]
 
 
 def path_text():

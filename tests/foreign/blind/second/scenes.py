@@ -2,7 +2,6 @@
 """The problems of the second set of blind cases; none is one of the first set. See there for what the names mean."""
 import math
 
-RING = ["body={domain: ring, lattice: polar, per_cell: [2, 2]}"]
 ELASTIC = {
     "mr": "{adapter: mooney_rivlin, parameters: {c10: 180, c01: 40, bulk_modulus: 1100}, density: 1200}",
     "svk": "{adapter: saint_venant_kirchhoff, parameters: {E: 2200, nu: 0.3}, density: 1300}",
@@ -25,19 +24,6 @@ MOTIONS = {  # motion, edge of the body, end
              ("box", 0.0, 1.0), 1.1),
     "standing": ("{type: axis_aligned, amplitude: {type: sine, peak: 0.06}, wave_speed: 1.0}", ("box", 0.0, 1.0), 1.0),
 }
-
-
-def text_of(name):
-    """Scene `motion_material`."""
-    motion, material = name.split("_")
-    way, (kind, low, high), end = MOTIONS[motion]
-    body = f"body: {{domain: square, lower: [{low}, {low}], upper: [{high}, {high}]" + (
-        ", outside: free}\n" if way.startswith("{type: vortex") else "}\n") if kind == "box" else ""
-    return f"motion: {way}\nmaterial: {ELASTIC[material]}\n{body}time: {{end: {end!r}}}\n"
-
-
-def edges_of(name):
-    return MOTIONS[name.split("_")[0]][1]
 
 
 def path_text():
