@@ -59,7 +59,7 @@ class Side {
       setup.exact = exact_solution_of(problem_.scene, problem_.material, problem_.scene.time.end);
     }
     if (way.effect == "isolation" && with) {
-      setup.offload = StressOffload::offload_of(std::make_shared<StressOffload>(setup));
+      setup.offload = StressOffload<2>::offload_of(std::make_shared<StressOffload<2>>(setup));
     }
     simulation_ = std::make_unique<mpm::Simulation<2>>(setup);
   }

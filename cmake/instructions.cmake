@@ -28,8 +28,7 @@ endif()
 target_compile_definitions(assay_mpm PRIVATE ASSAY_DIMENSION=2)
 target_compile_options(assay_mpm PUBLIC $<$<COMPILE_LANGUAGE:CXX>:-Wno-psabi>)
 
-# The sources that are instantiated for ASSAY_DIMENSION once more for three dimensions, which property tests link and no
-# scene asks for yet.
+# The sources that are instantiated for ASSAY_DIMENSION once more for three dimensions.
 file(GLOB_RECURSE sources_3d CONFIGURE_DEPENDS mpm/*.cpp)
 foreach(source IN LISTS sources_3d)
   file(STRINGS ${source} mentions REGEX ASSAY_DIMENSION LIMIT_COUNT 1)
@@ -37,8 +36,7 @@ foreach(source IN LISTS sources_3d)
     list(REMOVE_ITEM sources_3d ${source})
   endif()
 endforeach()
-add_library(assay_mpm_3d STATIC EXCLUDE_FROM_ALL ${sources_3d} ${basis_kernels})
+add_library(assay_mpm_3d STATIC ${sources_3d} ${basis_kernels})
 target_compile_definitions(assay_mpm_3d PRIVATE ASSAY_DIMENSION=3)
+target_compile_options(assay_mpm_3d PRIVATE -ffunction-sections -fdata-sections)
 target_link_libraries(assay_mpm_3d PUBLIC assay_mpm PRIVATE assay_options)
-# Tests alone link it, on small bodies: it compiles in half the time.
-target_compile_options(assay_mpm_3d PRIVATE $<$<CONFIG:Release>:-O1>)

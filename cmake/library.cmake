@@ -6,7 +6,7 @@ add_library(assay_library SHARED ${library_sources})
 target_compile_definitions(assay_library PRIVATE ASSAY_VERSION_TEXT="${PROJECT_VERSION}")
 target_include_directories(assay_library PUBLIC
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/drivers/library> $<INSTALL_INTERFACE:include>)
-target_link_libraries(assay_library PRIVATE assay_drivers assay_adapters assay_mpm assay_harness assay_options
+target_link_libraries(assay_library PRIVATE assay_drivers assay_adapters assay_mpm_3d assay_mpm assay_harness assay_options
   nlohmann_json::nlohmann_json)
 target_compile_options(assay_library PRIVATE -ffunction-sections -fdata-sections $<$<CONFIG:Release>:-O2>)
 set(library_map ${PROJECT_SOURCE_DIR}/drivers/library/assay.map)

@@ -16,7 +16,7 @@ namespace {
 template <int Dim>
 std::vector<Pass<Dim>> spine_passes(const Setup<Dim>& setup) {
   const Method& method = setup.method;
-  const bool body_force = Dim == 2 && setup.body_force;  // lives in the plane
+  const bool body_force = setup.body_force;
   const bool last = method.update == Update::usl, at_once = method.update != Update::usf && !method.has_stages();
   std::vector<Pass<Dim>> passes{
       weights_pass<Dim>(method, !setup.seeds.half_edges.empty() || option<LargestDomain>(setup).cells > 0),
@@ -43,9 +43,10 @@ std::vector<ColumnRecord<Dim>> spine_columns() {
       {Column::velocity, "velocity", "m/s", "v", vector, in_snapshots},
       {Column::mass, "mass", "kg", "constant", number},
       {Column::volume, "volume", "m^3", "reference volume, per unit thickness in two dimensions", number, in_snapshots},
-      {Column::deformation_gradient, "deformation_gradient", "1", "F, in-plane components", tensor,
+      {Column::deformation_gradient, "deformation_gradient", "1", Dim == 2 ? "F, in-plane components" : "F", tensor,
        of_stress | in_snapshots},
-      {Column::stress, "stress", "Pa", "Cauchy stress, in-plane components and 33",
+      {Column::stress, "stress", "Pa",
+       Dim == 2 ? "Cauchy stress, in-plane components and 33" : "Cauchy stress, six components",
        [](const Setup<Dim>&) { return doubles(stress_components<Dim>); }, of_stress | in_snapshots},
       {Column::velocity_gradient, "velocity_gradient", "1/s", "L of the step; dF/dt in the total formulation", tensor,
        of_stress},

@@ -21,7 +21,7 @@ set(left_out_of_test_adapters # orders of convergence, and models whose sheets t
 
 set(shards_of_test_mpm 16)
 set(left_out_of_test_mpm # of the pairs of a basis and a transfer some, and runs of many steps
-  Method/Accounts* Method/EveryPatchedMethod*consistent* Methods/Traction.HoldsToR* Sweep.Results* Stages.A* PatchTests.CatchEvery* Stages.K*)
+  Method/Accounts* Method/EveryPatchedMethod*consistent* Methods/Traction.HoldsToR* Sweep.Results* Space.ABall* Space.AL* Stages.A* PatchTests.CatchEvery* Stages.K*)
 foreach(basis IN ITEMS linear ugimp cpgimp bspline3 bspline4)
   foreach(transfer IN ITEMS xpic fmpm apic aflip flip_usl_series)
     list(APPEND left_out_of_test_mpm "Method/*/${basis}_${transfer}*")
@@ -59,6 +59,7 @@ set(left_out_of_test_drivers # whole runs of full size; studies, which start the
   *MisbehavingModel*shortens_* *MisbehavingModel*flushes_* *MisbehavingModel*ignores_* *MisbehavingModel*exits
   *MisbehavingModel.*ByARun*closes_output
   EvalStreams.MemoryDoes* # memory that was freed is kept from use
+  JudgeClocks.OfAM* MistakesOfP* Judge.CountsP* */JudgeOfRuns.*scene_9 */JudgeOfRuns.*scene_1? # runs of full size, each of minutes
   SceneReader.EveryTrunc* ReportInBrowser* EffectList.Owns* TimeNoise.Noise* ParticlePicture*)
 
 set(shards_of_test_library 2)

@@ -23,7 +23,8 @@ void work(adapters::WorkerFloor& floor) {
   const std::string task = floor.task, kind = task.substr(0, task.find('\n'));
   if (kind == model_task) return serve_material(floor, task.substr(kind.size() + 1));
   if (kind == tool_task) return serve_tool(task.substr(kind.size() + 1));
-  if (kind == stress_task) return serve_stress(floor, task.substr(kind.size() + 1));
+  if (kind == stress_task) return serve_stress<2>(floor, task.substr(kind.size() + 1));
+  if (kind == space_stress_task) return serve_stress<3>(floor, task.substr(kind.size() + 1));
   std::fprintf(stderr, "a worker knows no task '%s'\n", kind.c_str());
 }
 

@@ -19,21 +19,26 @@ namespace assay::drivers {
 /// not call for is not there: no pass, column, grid field, observer or call of the material.
 struct EffectEntry {
   std::string name, doc;
-  std::string key;                                 ///< of the scene; empty: no key calls for it
-  std::string around;                              ///< what it brings around the steps; empty: nothing
-  std::function<bool(const Problem&)> called_for;  ///< by this scene
-  bool asks_material = false;                      ///< it can, in steps, for more than the particles' stress
+  std::string key;             ///< of the scene; empty: no key calls for it
+  std::string around;          ///< what it brings around the steps; empty: nothing
+  bool asks_material = false;  ///< it can, in steps, for more than the particles' stress
+};
+template <int Dim>
+struct EffectEntryIn : EffectEntry {
+  std::function<bool(const ProblemIn<Dim>&)> called_for;  ///< by this scene
   /// Where another key than `key` can call for it, too: the one that does so here.
-  std::function<std::string(const Problem&)> called_by = nullptr;
+  std::function<std::string(const ProblemIn<Dim>&)> called_by = nullptr;
 
-  std::string key_of(const Problem& problem) const { return called_by ? called_by(problem) : key; }
+  std::string key_of(const ProblemIn<Dim>& problem) const { return called_by ? called_by(problem) : key; }
 };
 
 /// Those of a step, which are the records of mpm/effects, and those of a run, around its steps.
-std::span<const EffectEntry> effects();
+template <int Dim = 2>
+std::span<const EffectEntryIn<Dim>> effects();
 
 /// Throws std::out_of_range where there is none.
-const EffectEntry& entry_of(const std::string& effect);
+template <int Dim = 2>
+const EffectEntryIn<Dim>& entry_of(const std::string& effect);
 
 /// Work of one step after the first, counted from the composition: what each pass reads and writes of the columns of
 /// all particles, what it touches of the grid's fields once a node that is reached, and points that the material
@@ -69,7 +74,7 @@ struct EffectPart {
 };
 
 struct Composition {
-  std::vector<mpm::Pass<2>> passes;
+  std::vector<mpm::PassInfo> passes;
   std::vector<mpm::ColumnUse> columns;
   std::vector<mpm::GridFieldUse> grid_fields;
   std::size_t bytes_per_particle = 0, bytes_per_node = 0;
@@ -77,10 +82,12 @@ struct Composition {
   StepWork work;
   std::vector<EffectPart> effects;  ///< all of them, in the order of the list
 };
-Composition composition_of(const Problem& problem);
+template <int Dim>
+Composition composition_of(const ProblemIn<Dim>& problem);
 
 /// Bytes of columns a particle that a pass reads and writes each time.
-std::size_t bytes_moved(const mpm::PassInfo& pass, const mpm::Setup<2>& setup);
+template <int Dim>
+std::size_t bytes_moved(const mpm::PassInfo& pass, const mpm::Setup<Dim>& setup);
 
 /// What a run does between steps, under the names of its profile.
 struct Observer {
@@ -90,16 +97,18 @@ struct Observer {
 
   ASSAY_FIELDS(name, times, called_for_by)
 };
-std::vector<Observer> observers_of(const Problem& problem);
+std::vector<Observer> observers_of(const PosedScene& problem);
 
 /// Names of columns.
 std::vector<std::string> names_of(const std::vector<mpm::Column>& columns);
 
 /// Passes, columns, observers, memory, steps, response and stability of a problem, as `assay explain` prints them.
 /// Without an exact solution, which is not made where the run is refused, there is no response.
-std::string explanation(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen);
+template <int Dim>
+std::string explanation(const ProblemIn<Dim>& problem, const ExactSolution* exact, const ScreenFigures& screen);
 
 /// The same as JSON.
-std::string explanation_json(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen);
+template <int Dim>
+std::string explanation_json(const ProblemIn<Dim>& problem, const ExactSolution* exact, const ScreenFigures& screen);
 
 }  // namespace assay::drivers

@@ -35,7 +35,8 @@ std::string brought_text(const EffectPart& part) {
   return text;
 }
 
-std::string passes_text(const Problem& problem, const Composition& c) {
+template <int Dim>
+std::string passes_text(const ProblemIn<Dim>& problem, const Composition& c) {
   std::string text = "passes of a step\n";
   const std::string indent(22, ' ');
   for (const auto& pass : c.passes) {
@@ -55,24 +56,27 @@ std::string passes_text(const Problem& problem, const Composition& c) {
   return text;
 }
 
-std::string observers_text(const Problem& problem) {
+std::string observers_text(const PosedScene& problem) {
   std::string text;
   for (const Observer& o : observers_of(problem))
     text += fmt::format("  {:19} {} times, because of {}\n", o.name, o.times, o.called_for_by);
   return text.empty() ? "nothing between steps\n" : "between steps\n" + text;
 }
 
-std::string memory_text(const Problem& problem, const Composition& c) {
+template <int Dim>
+std::string memory_text(const ProblemIn<Dim>& problem, const Composition& c) {
   std::string text = fmt::format("particle columns, {} bytes a particle\n", c.bytes_per_particle);
   const std::string indent(34, ' ');
   for (const auto& use : c.columns) {
-    const auto& info = mpm::info(use.column);
+    const auto& info = mpm::record_of<Dim>(use.column);
     text += wrapped(std::string(info.doc), fmt::format("  {:20} {:4} bytes  ", info.name, use.bytes), indent);
   }
   const auto& grid = problem.setup.grid;
-  text += wrapped(fmt::format("{} x {} nodes of {} bytes, {} of them in tiles that the particles reach at the start; "
+  std::string nodes;
+  for (std::size_t d = 0; d < Dim; ++d) nodes += (d == 0 ? "" : " x ") + std::to_string(grid.count[d]);
+  text += wrapped(fmt::format("{} nodes of {} bytes, {} of them in tiles that the particles reach at the start; "
                               "memory of the run, with lattice and samples: at most {} MiB",
-                              grid.count[0], grid.count[1], c.bytes_per_node, grouped_text(c.nodes_reached),
+                              nodes, c.bytes_per_node, grouped_text(c.nodes_reached),
                               rounded_text(problem.estimated_bytes() / (1024.0 * 1024), 3)),
                   "grid: ", "  ");
   for (const auto& use : c.grid_fields)
@@ -106,7 +110,8 @@ std::string effects_text(const Composition& c) {
          wrapped(absent, "not used: ", "  ");
 }
 
-std::string steps_text(const Problem& problem) {
+template <int Dim>
+std::string steps_text(const ProblemIn<Dim>& problem) {
   const std::string reference =
       problem.reference_wave_speed > 0
           ? ", " + rounded_text(problem.reference_wave_speed, 4) + " m/s across the reference configuration"
@@ -124,7 +129,8 @@ std::string steps_text(const Problem& problem) {
                  "  fastest wave on the path ", "    ");
 }
 
-std::string exact_solution_line(const Problem& problem) {
+template <int Dim>
+std::string exact_solution_line(const ProblemIn<Dim>& problem) {
   if (!problem.setup.uses_exact_solution()) return "";
   return wrapped(problem.setup.has_virtual_stress()
                      ? "forces come from the difference to the exact stress, so the error says less about the method"
@@ -132,10 +138,11 @@ std::string exact_solution_line(const Problem& problem) {
                  "uses the exact solution: ", "  ");
 }
 
-std::string ends_text(const Problem& problem) {
-  constexpr const char* axes[] = {"x", "y"};
+template <int Dim>
+std::string ends_text(const ProblemIn<Dim>& problem) {
+  constexpr const char* axes[] = {"x", "y", "z"};
   std::vector<std::string> all;
-  for (std::size_t d = 0; d < 2; ++d) {
+  for (std::size_t d = 0; d < Dim; ++d) {
     const mpm::AxisEnds& ends = problem.setup.ends[d];
     if (ends.periodic) {
       all.push_back(std::string("periodic along ") + axes[d]);
@@ -148,7 +155,8 @@ std::string ends_text(const Problem& problem) {
   return all.empty() ? "" : wrapped(joined(all), "faces: ", "  ");
 }
 
-std::string response_text(const Problem& problem, const ExactSolution* exact) {
+template <int Dim>
+std::string response_text(const ProblemIn<Dim>& problem, const ExactSolution* exact) {
   if (!problem.compared) return "no body force\n";
   if (!exact) return "response: not computed, because the run is refused\n";
   const Response* response = exact->response();
@@ -172,7 +180,8 @@ std::string response_text(const Problem& problem, const ExactSolution* exact) {
 
 using Json = nlohmann::ordered_json;
 
-Json written(const mpm::Pass<2>& pass, const mpm::Setup<2>& setup) {
+template <int Dim>
+Json written(const mpm::PassInfo& pass, const mpm::Setup<Dim>& setup) {
   return {{"name", pass.name},
           {"doc", pass.doc},
           {"reads", names_of(pass.reads)},
@@ -202,7 +211,8 @@ Json written(const Sheet* sheet) {
 
 }  // namespace
 
-std::string explanation(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen) {
+template <int Dim>
+std::string explanation(const ProblemIn<Dim>& problem, const ExactSolution* exact, const ScreenFigures& screen) {
   const Composition c = composition_of(problem);
   const auto& turned = problem.scene.frame;
   const std::string frame = turned ? wrapped(frame_text(*turned), "frame: ", "  ") : "";
@@ -211,7 +221,8 @@ std::string explanation(const Problem& problem, const ExactSolution* exact, cons
          response_text(problem, exact) + wrapped(screen_sentence(screen), "motion: ", "  ");
 }
 
-std::string explanation_json(const Problem& problem, const ExactSolution* exact, const ScreenFigures& screen) {
+template <int Dim>
+std::string explanation_json(const ProblemIn<Dim>& problem, const ExactSolution* exact, const ScreenFigures& screen) {
   using Fields = JsonFields<Json>;
   const Composition c = composition_of(problem);
   Json json;
@@ -238,5 +249,10 @@ std::string explanation_json(const Problem& problem, const ExactSolution* exact,
   if (screen.largest_safe_amplitude) json["screen"]["largest_safe_amplitude"] = *screen.largest_safe_amplitude;
   return json_document(json);
 }
+
+template std::string explanation(const ProblemIn<2>&, const ExactSolution*, const ScreenFigures&);
+template std::string explanation(const ProblemIn<3>&, const ExactSolution*, const ScreenFigures&);
+template std::string explanation_json(const ProblemIn<2>&, const ExactSolution*, const ScreenFigures&);
+template std::string explanation_json(const ProblemIn<3>&, const ExactSolution*, const ScreenFigures&);
 
 }  // namespace assay::drivers

@@ -108,9 +108,9 @@ ExportedBody exported_body(const Scene& scene, int dimension) {
   if (const auto ring = ring_of(scene.motion))
     return {{-ring->outer, -ring->outer, 0}, {ring->outer, ring->outer, 0}, false, ring};
   const Box box = body_box(scene);
-  const bool space = dimension == 3;  // as deep as it is high
-  return {{box.lower[0], box.lower[1], space ? box.lower[1] : 0},
-          {box.upper[0], box.upper[1], space ? box.upper[1] : 0}};
+  if (dimension == 2) return {{box.lower[0], box.lower[1], 0}, {box.upper[0], box.upper[1], 0}};
+  const std::size_t deep = scene.body.lower.size() == 3 ? 2 : 1;  // or as deep as it is high
+  return {{box.lower[0], box.lower[1], scene.body.lower[deep]}, {box.upper[0], box.upper[1], scene.body.upper[deep]}};
 }
 
 std::vector<double> spacings_of_ladder(const std::string& given, const Scene& scene, const ExportedBody& body,

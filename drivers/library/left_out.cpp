@@ -21,6 +21,12 @@ const std::vector<EffectRecord<2>>& effects() {
 }
 
 template <>
+const std::vector<EffectRecord<3>>& effects() {
+  static const std::vector<EffectRecord<3>> none;
+  return none;
+}
+
+template <>
 std::optional<Contradiction> contradiction<2>(const Method&, const EffectOptions&) {
   return std::nullopt;
 }

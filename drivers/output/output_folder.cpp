@@ -88,10 +88,12 @@ const Kind* kind_of(const std::vector<std::string>& names) {
 }  // namespace
 
 std::vector<std::string> result_files() {
-  return {"result.json",   "errors.csv",   "resolved.yaml", "particles.pvd",     "particles_#.vtu", "report.html",
-          "error.png",     "shear.png",    "jacobian.png",  "error_history.png", "replay.yaml",     "replay_scene.yaml",
-          "last_good.vtu", "material.log", "sheet.csv",     "curve.csv",         "tau.png",         "slope.png",
-          "sheet.png",     "history.csv",  "histories.png", "+points.csv"};
+  return {"result.json",       "errors.csv",       "resolved.yaml",     "particles.pvd",  "particles_#.vtu",
+          "report.html",       "error.png",        "shear.png",         "jacobian.png",   "cut_error.png",
+          "cut_shear.png",     "cut_jacobian.png", "view_error.png",    "view_shear.png", "view_jacobian.png",
+          "error_history.png", "replay.yaml",      "replay_scene.yaml", "last_good.vtu",  "material.log",
+          "sheet.csv",         "curve.csv",        "tau.png",           "slope.png",      "sheet.png",
+          "history.csv",       "histories.png",    "+points.csv"};
 }
 
 OutputFolder::OutputFolder(fs::path target, std::vector<std::string> names)

@@ -27,7 +27,8 @@ std::vector<const TractionRun*> grids_of(const TractionTable& table) {
 }
 
 std::string grid_text(const TractionRun& run) {
-  return rounded_text(run.cells[0], 4) + " \u00d7 " + rounded_text(run.cells[1], 4) + " cells" +
+  const std::string deep = run.cells[2] > 0 ? " \u00d7 " + rounded_text(run.cells[2], 4) : "";
+  return rounded_text(run.cells[0], 4) + " \u00d7 " + rounded_text(run.cells[1], 4) + deep + " cells" +
          small_print("h = " + with_unit(rounded_text(run.spacing, 4), "m"));
 }
 

@@ -76,11 +76,27 @@ struct View {
 
 /// What one particle looks like on the picture.
 struct Shape {
-  std::array<Point, 5> corners;    ///< closed
+  std::vector<Point> corners;      ///< closed
   double area = 0, thickness = 0;  ///< [pixel^2], [pixel]
 };
 
+Shape shape_of_polygon(const View& view, const std::vector<Point>& polygon) {
+  Shape out;
+  double longest = 0;
+  for (const Point& corner : polygon) out.corners.push_back(view.at(corner.x, corner.y));
+  out.corners.push_back(out.corners.front());
+  for (std::size_t k = 0; k + 1 < out.corners.size(); ++k) {
+    const Point &a = out.corners[k], &b = out.corners[k + 1];
+    out.area += 0.5 * (a.x * b.y - a.y * b.x);
+    longest = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
+  }
+  out.area = std::abs(out.area);
+  out.thickness = longest > 0 ? out.area / longest : 0;
+  return out;
+}
+
 Shape shape_of(const View& view, const ParticleFrame& frame, std::size_t p) {
+  if (!frame.polygons.empty()) return shape_of_polygon(view, frame.polygons[p]);
   const auto corner = [&](double s1, double s2) {
     return view.at(frame.x[p] + s1 * frame.r1x[p] + s2 * frame.r2x[p],
                    frame.y[p] + s1 * frame.r1y[p] + s2 * frame.r2y[p]);
@@ -94,15 +110,20 @@ Shape shape_of(const View& view, const ParticleFrame& frame, std::size_t p) {
 }
 
 void draw_particles(Canvas& canvas, const View& view, const ParticleFrame& frame, const ColorBar& bar) {
-  const auto color = [&](std::size_t p) { return bar.color_of(frame.value[p]); };
-  // Sheared parallelograms do not tile: a little bleeding under all of them closes the cracks.
-  for (std::size_t p = 0; p < frame.x.size(); ++p) {
-    const Shape shape = shape_of(view, frame, p);
+  const auto color = [&](std::size_t p) {
+    const Color own = bar.color_of(frame.value[p]);
+    return frame.shade.empty() ? own : mix(own, rgb(0), frame.shade[p]);
+  };
+  const auto bleed = [&](std::size_t p, const Shape& shape) {
     canvas.stroke(shape.corners, std::clamp(0.35 * std::sqrt(shape.area), 0.8, 2.5), color(p));
-  }
-  for (std::size_t p = 0; p < frame.x.size(); ++p) {
+  };
+  const bool in_order = !frame.shade.empty();  // what is nearer hides what is behind it
+  // Sheared parallelograms do not tile: a little bleeding under all of them closes the cracks.
+  for (std::size_t p = 0; !in_order && p < frame.size(); ++p) bleed(p, shape_of(view, frame, p));
+  for (std::size_t p = 0; p < frame.size(); ++p) {
     const Shape shape = shape_of(view, frame, p);
-    canvas.fill(std::span(shape.corners).first(4), color(p));
+    if (in_order) bleed(p, shape);
+    canvas.fill(std::span(shape.corners).first(shape.corners.size() - 1), color(p));
     // Outlines show the shapes where there is room for them.
     if (shape.area > 81 && shape.thickness > 5) canvas.stroke(shape.corners, 0.6, mix(color(p), paper, 0.4));
   }
@@ -129,13 +150,16 @@ void draw_frame_axes(Canvas& canvas, const View& view, const Layout& layout, boo
     return name + (along.factor.empty() ? "" : " (" + along.factor + ")") + " [m]";
   };
   const Axis x = axis(0), y = axis(1);
-  draw(canvas, PanelAxes{view.left, view.top, view.left + layout.panel_width, view.bottom, x, y, title("x", x),
-                         title("y", y), 50, [&](double u, double v) { return view.at(u, v); }, with_y});
+  draw(canvas,
+       PanelAxes{view.left, view.top, view.left + layout.panel_width, view.bottom, x, y, title(picture.x_label, x),
+                 title(picture.y_label, y), 50, [&](double u, double v) { return view.at(u, v); }, with_y});
 }
 
 void check(const ParticlePicture& picture) {
   if (picture.frames.empty()) throw std::invalid_argument("ParticlePicture: no frame");
   for (const ParticleFrame& f : picture.frames) {
+    if (f.value.size() != f.size()) throw std::invalid_argument("ParticlePicture: arrays of different lengths");
+    if (!f.polygons.empty()) continue;
     const std::size_t n = f.x.size();
     for (const auto* array : {&f.y, &f.r1x, &f.r1y, &f.r2x, &f.r2y, &f.value}) {
       if (array->size() != n) throw std::invalid_argument("ParticlePicture: arrays of different lengths");
@@ -188,7 +212,7 @@ std::string png(const ParticlePicture& picture) {
     draw_particles(canvas, view, picture.frames[i], bar);
     draw_rings(canvas, view);
     canvas.unclip();
-    draw_frame_axes(canvas, view, layout, i == 0);
+    if (!picture.x_label.empty()) draw_frame_axes(canvas, view, layout, i == 0);
     canvas.text({left + layout.panel_width / 2, layout.top - 12}, picture.frames[i].caption,
                 {picture_text_size, ink, Anchor::middle});
   }

@@ -24,11 +24,15 @@ struct HeatMap {
 /// A PNG file, about 900 x 620 pixels. Throws std::invalid_argument where the number of values does not fit.
 std::string png(const HeatMap& map);
 
-/// One moment. Particle p is the parallelogram with the corners (x,y) ± r1 ± r2, so r1 and r2 are half edges [m].
-/// All arrays have one length; a value that is not finite is drawn grey.
+/// One moment. Particle p is the parallelogram with the corners (x,y) ± r1 ± r2, so r1 and r2 are half edges [m]; or
+/// a polygon, where there are any. All arrays have one length; a value that is not finite is drawn grey.
 struct ParticleFrame {
   std::string caption;  ///< "t = 0.5 s"
   std::vector<double> x, y, r1x, r1y, r2x, r2y, value;
+  std::vector<std::vector<Point>> polygons = {};  ///< in place of parallelograms, drawn in their order [m]
+  std::vector<double> shade = {};                 ///< of each polygon, from 0, its colour, to 1, black; empty: 0
+
+  std::size_t size() const { return polygons.empty() ? x.size() : polygons.size(); }
 };
 
 struct ParticlePicture {
@@ -38,6 +42,7 @@ struct ParticlePicture {
   ColorMap map = ColorMap::viridis;
   std::optional<std::array<double, 2>> range;  ///< of the colours; by default that of the values, around 0 if diverging
   std::vector<double> rings;                   ///< radii of circles around the origin drawn thin [m]
+  std::string x_label = "x", y_label = "y";    ///< of the axes, without their unit; none: there are no axes
   std::array<double, 2> lower{-1.5, -1.5}, upper{1.5, 1.5};  ///< what is shown [m]
 };
 

@@ -170,7 +170,7 @@ struct GrowthFigures {
 struct TractionRun {
   std::string algorithm, form;    ///< words of the scene's keys; no form of undeformed_edges, which is neither
   double spacing = 0;             ///< of the grid
-  std::array<double, 2> cells{};  ///< across the body
+  std::array<double, 3> cells{};  ///< across the body; in the plane 0 along the third axis
   std::string outcome;
   Figure t;
   Figure l2_end, l2_max;

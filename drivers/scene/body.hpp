@@ -7,14 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "harness/numeric/range.hpp"
+#include "harness/numeric/keys.hpp"
 
 namespace assay::drivers {
 
 // Words of motion.type and body.domain for which a key exists.
 std::vector<std::string> loaded_motions();  ///< with tractions on the surface of the body
 std::vector<std::string> repeating_motions();
-std::vector<std::string> vortex_motions();
+std::vector<std::string> vortex_motions();        ///< in the plane
+std::vector<std::string> motions_with_outside();  ///< vortices, beyond which nothing moves
 inline std::vector<std::string> domains_with_corners() { return {"square", "box"}; }
 
 /// `body.initial_velocity` of a body that is left to itself: v = velocity + L X, L of a spin and a stretching.
@@ -41,21 +42,23 @@ struct InitialVelocity {
 };
 
 struct Body {
-  enum class Domain { ring, square, box };
+  enum class Domain { ring, square, box, vortex };
   enum class Outside { held, free };
   enum class Lattice { cartesian, polar, gauss, jittered };
   enum class Cut { clipped, whole };
-  enum class Periodic { none, x, y, both };
-  friend constexpr std::array<const char*, 3> names_of(Domain) { return {"ring", "square", "box"}; }
+  enum class Periodic { none, x, y, both, z, xz, yz, all };
+  friend constexpr std::array<const char*, 4> names_of(Domain) { return {"ring", "square", "box", "vortex"}; }
   friend constexpr std::array<const char*, 2> names_of(Outside) { return {"held", "free"}; }
   friend constexpr std::array<const char*, 4> names_of(Lattice) { return {"cartesian", "polar", "gauss", "jittered"}; }
   friend constexpr std::array<const char*, 2> names_of(Cut) { return {"clipped", "whole"}; }
-  friend constexpr std::array<const char*, 4> names_of(Periodic) { return {"none", "x", "y", "both"}; }
+  friend constexpr std::array<const char*, 8> names_of(Periodic) {
+    return {"none", "x", "y", "both", "z", "xz", "yz", "all"};
+  }
 
   Domain domain = Domain::ring;
   Outside outside = Outside::held;
-  std::array<double, 2> lower{-1.5, -1.5}, upper{1.5, 1.5};
-  std::array<int, 2> per_cell{2, 2};
+  PerAxis<double> lower{-1.5, -1.5, -1.5}, upper{1.5, 1.5, 1.5};
+  PerAxis<int> per_cell{2, 2, 2};
   Lattice lattice = Lattice::cartesian;
   Cut cut = Cut::clipped;
   double jitter = 0.25;
@@ -65,10 +68,10 @@ struct Body {
 
   void keys(auto& key) {
     const bool is_jittered = lattice == Lattice::jittered;
-    key("domain", "shape; a ring takes its radii from the motion, square and box are given by their corners", domain,
-        {.derived = "ring for the vortex and the twisting ring, square otherwise"});
-    key("outside", "what surrounds the ring in a square or box: fixed (held) or free to move (free)", outside,
-        {.derived = "free for a ring, held for square and box", .motions = vortex_motions});
+    key("domain", "shape; ring and vortex follow the motion, square and box are given by their corners", domain,
+        {.derived = "ring for the vortex and the twisting ring, vortex for vortex3d, square otherwise, box in space"});
+    key("outside", "what surrounds a vortex in a square or box: fixed (held) or free to move (free)", outside,
+        {.derived = "free for a ring or vortex alone, held for square and box", .motions = motions_with_outside});
     key("lower", "lower corner of a square or box [m]", lower, {.domains = domains_with_corners});
     key("upper", "upper corner of a square or box [m]", upper, {.domains = domains_with_corners});
     key("per_cell", "particles per cell in each direction", per_cell,
@@ -88,8 +91,13 @@ struct Body {
   }
 
   bool is_periodic(std::size_t d) const {
-    return periodic == Periodic::both || periodic == (d == 0 ? Periodic::x : Periodic::y);
+    using enum Periodic;
+    if (periodic == all) return true;
+    if (d == 0) return periodic == x || periodic == both || periodic == xz;
+    if (d == 1) return periodic == y || periodic == both || periodic == yz;
+    return periodic == z || periodic == xz || periodic == yz;
   }
+  bool is_vortex_alone() const { return domain == Domain::ring || domain == Domain::vortex; }
 };
 
 }  // namespace assay::drivers

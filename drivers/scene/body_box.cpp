@@ -3,21 +3,24 @@
 
 #include <cmath>
 
+#include "harness/motion/kinds/vortex3d.hpp"
+#include "harness/numeric/norms.hpp"
+
 namespace assay::drivers {
 
 namespace {
 
-/// Of the body turned by the frame: a ring stays itself, and what spins sweeps the circle of its farthest corner.
-Box turned_box(const Scene& scene, const Frame& frame) {
-  const Box own = body_box(scene);
+/// Of the body turned by the frame: a ring stays itself, and what spins sweeps the circle of its farthest corner, or
+/// the ball.
+template <int Dim>
+BoxOf<Dim> turned_box(const Scene& scene, const Frame& frame) {
+  const BoxOf<Dim> own = body_box<Dim>(scene);
   if (scene.body.domain == Body::Domain::ring || (frame.angle == 0 && frame.spin == 0)) return own;
-  Box box;
+  BoxOf<Dim> box;
   double farthest = 0;
-  for (const double x : {own.lower[0], own.upper[0]}) {
-    for (const double y : {own.lower[1], own.upper[1]}) {
-      farthest = std::max(farthest, std::hypot(x, y));
-      box.hold(frame.rotation(0) * Vector3(x, y, 0));  // the ring around the origin is inside
-    }
+  for (const Vector3& corner : own.corners()) {
+    farthest = std::max(farthest, Dim == 2 ? std::hypot(corner.x(), corner.y()) : corner.norm());
+    box.hold(frame.rotation(0) * corner);  // the origin, around which the ring is, is inside
   }
   if (frame.spin != 0) box.lower.fill(-farthest), box.upper.fill(farthest);
   return box;
@@ -26,14 +29,12 @@ Box turned_box(const Scene& scene, const Frame& frame) {
 constexpr int looks = 400;  ///< over the time of a run
 
 /// Of a box whose faces stay straight: of the corners, at many times.
-Box corner_swept_box(const Scene& scene) {
-  Box box = body_box(scene);
-  const Box own = box;
+template <int Dim>
+BoxOf<Dim> corner_swept_box(const Scene& scene) {
+  BoxOf<Dim> box = body_box<Dim>(scene);
+  const auto corners = box.corners();
   for (int k = 0; k <= looks; ++k) {
-    for (const double X : {own.lower[0], own.upper[0]}) {
-      for (const double Y : {own.lower[1], own.upper[1]})
-        box.hold(scene.motion->at({X, Y, 0}, scene.time.end * k / looks).x);
-    }
+    for (const Vector3& corner : corners) box.hold(scene.motion->at(corner, scene.time.end * k / looks).x);
   }
   return box;
 }
@@ -50,18 +51,69 @@ Box flight_box(const Scene& scene, const InitialVelocity& v) {
   return box;
 }
 
-}  // namespace
-
-Box body_box(const Scene& scene) {
-  if (scene.body.domain != Body::Domain::ring) return {scene.body.lower, scene.body.upper};
-  const double outer = ring_of(scene.motion)->outer;
-  return {{-outer, -outer}, {outer, outer}};
+/// Around the body of revolution: what it reaches along axis d is rho(n) about its axis, n the axis d.
+void hold_vortex(BoxOf<3>& box, const Revolution& vortex, bool& is_first) {
+  const auto [across, along] = vortex.reach();
+  const Vector3 axis = unit_along(vortex.axis);
+  for (int d = 0; d < 3; ++d) {
+    const double c = std::abs(axis(d)), s = std::sqrt(std::max(0.0, 1 - c * c));
+    // of a torus and a drum the corner of the section, of a ball its radius
+    const double half = vortex.profile == Revolution::Profile::ball    ? vortex.radius
+                        : vortex.profile == Revolution::Profile::torus ? *vortex.ring_radius * s + vortex.radius
+                                                                       : across * s + along * c;
+    const auto k = static_cast<std::size_t>(d);
+    box.lower[k] = is_first ? vortex.center(d) - half : std::min(box.lower[k], vortex.center(d) - half);
+    box.upper[k] = is_first ? vortex.center(d) + half : std::max(box.upper[k], vortex.center(d) + half);
+  }
+  is_first = false;
 }
 
-Box swept_box(const Scene& scene) {
-  if (scene.body.initial_velocity) return flight_box(scene, *scene.body.initial_velocity);
-  if (!ring_of(scene.motion)) return corner_swept_box(scene);
-  if (!is_vortex(scene.motion)) {
+/// Of the vortex in the plane, and in space of what the motion sweeps.
+template <int Dim>
+BoxOf<Dim> box_around_turns(const Scene& scene) {
+  if (!scene.frame) return body_box<Dim>(scene);
+  BoxOf<Dim> box = turned_box<Dim>(scene, *scene.frame);
+  std::array<double, Dim> velocity;
+  for (std::size_t d = 0; d < Dim; ++d) velocity[d] = scene.frame->velocity(static_cast<int>(d));
+  box.move(velocity, scene.time.end);
+  return box;
+}
+
+}  // namespace
+
+template <int Dim>
+BoxOf<Dim> body_box(const Scene& scene) {
+  if constexpr (Dim == 3) {
+    if (scene.body.domain != Body::Domain::vortex) return {scene.body.lower, scene.body.upper};
+    BoxOf<3> box;
+    bool is_first = true;
+    for (const Revolution& vortex : scene.motion.as<Vortex3d>()->all()) hold_vortex(box, vortex, is_first);
+    return box;
+  } else {
+    if (scene.body.domain != Body::Domain::ring) return {scene.body.lower, scene.body.upper};
+    const double outer = ring_of(scene.motion)->outer;
+    return {{-outer, -outer}, {outer, outer}};
+  }
+}
+
+template <int Dim>
+BoxOf<Dim> swept_box(const Scene& scene) {
+  if constexpr (Dim == 3) {
+    const bool stays = scene.motion.as<Vortex3d>() || is_vortex(scene.motion);
+    if (stays) return box_around_turns<3>(scene);
+    BoxOf<3> box = corner_swept_box<3>(scene);
+    if (!scene.frame) return box;
+    BoxOf<3> seen = box;
+    const auto corners = body_box<3>(scene).corners();
+    for (int k = 0; k <= looks; ++k) {
+      const double t = scene.time.end * k / looks;
+      for (const Vector3& corner : corners) seen.hold(scene.frame->seen(scene.motion->at(corner, t), t).x);
+    }
+    return seen;
+  } else {
+    if (scene.body.initial_velocity) return flight_box(scene, *scene.body.initial_velocity);
+    if (!ring_of(scene.motion)) return corner_swept_box<2>(scene);
+    if (is_vortex(scene.motion)) return box_around_turns<2>(scene);
     const double face = ring_of(scene.motion)->outer;
     double outer = face;
     for (int k = 0; k <= looks; ++k) {
@@ -69,10 +121,11 @@ Box swept_box(const Scene& scene) {
     }
     return {{-outer, -outer}, {outer, outer}};
   }
-  if (!scene.frame) return body_box(scene);
-  Box box = turned_box(scene, *scene.frame);
-  box.move({scene.frame->velocity.x(), scene.frame->velocity.y()}, scene.time.end);
-  return box;
 }
+
+template BoxOf<2> body_box<2>(const Scene&);
+template BoxOf<3> body_box<3>(const Scene&);
+template BoxOf<2> swept_box<2>(const Scene&);
+template BoxOf<3> swept_box<3>(const Scene&);
 
 }  // namespace assay::drivers

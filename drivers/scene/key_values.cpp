@@ -112,6 +112,7 @@ Value read_value(const Key& key, const Tree& tree) {
     case KeyType::vector:
       return numbers_value(tree, key.path, 1, 3, key.range);
     case KeyType::pair_or_vector:
+    case KeyType::per_axis:
       return numbers_value(tree, key.path, 1, tree.items.size() == 3 ? 3 : 2, key.range);
     case KeyType::matrix:
       return numbers_value(tree, key.path, 3, 3, key.range);

@@ -6,6 +6,7 @@
 
 #include "drivers/text/words.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
+#include "harness/motion/kinds/vortex3d.hpp"
 #include "harness/motion/registry.hpp"
 
 namespace assay::drivers {
@@ -113,6 +114,10 @@ std::vector<std::string> repeating_motions() {
 }
 
 std::vector<std::string> vortex_motions() { return types_of(is_vortex); }
+
+std::vector<std::string> motions_with_outside() {
+  return types_of([](const Motion& motion) { return is_vortex(motion) || motion.as<Vortex3d>(); });
+}
 
 std::string motion_type(const Scene& scene) { return std::string(scene.motion->type()); }
 

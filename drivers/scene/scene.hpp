@@ -54,8 +54,8 @@ struct MaterialChoice {
 
 struct GridChoice {
   double spacing = 0;  ///< h
-  std::array<double, 2> offset{};
-  std::optional<std::array<double, 2>> lower, upper;
+  PerAxis<double> offset;
+  std::optional<PerAxis<double>> lower, upper;
 
   void keys(auto& key) {
     key("spacing", "node spacing h [m]; nodes are at multiples of h", spacing, {.range = positive, .required = true});
@@ -92,7 +92,7 @@ struct ForceChoice {
   void keys(auto& key) {
     key("response", "source of the stress tau on the baseline path; none: no body force", response);
     key("evaluation", "body force at the particle's reference position, or averaged over its reference domain",
-        evaluation);
+        evaluation, {.derived = "domain_average; in space point where b is smooth: profile_power 4 or more"});
     key("inertia", "grid: all of b acts through the grid; particles: they receive its part a (uses the exact solution)",
         inertia);
     key("quasi_static", "b without the acceleration, as eval gives it to codes without inertia; no run is that",
@@ -213,7 +213,7 @@ struct Scene {
 
   void keys(auto& key) {
     key("title", "one-line title for pictures and reports", title);
-    key("dimension", "2 in the plane, 3 in space, where eval writes all components; methods are plane so far",
+    key("dimension", "2 in the plane (plane strain), 3 in space, where points, vectors and tensors have all components",
         dimension,
         {.range = {.lower = 2, .upper = 3, .whole = true},
          .derived = "2; 3 for a motion that is in space only",

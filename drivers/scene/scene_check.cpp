@@ -3,12 +3,15 @@
 #include "drivers/scene/scene_reader.hpp"
 
 #include <cmath>
+#include <span>
 
+#include "drivers/format/yaml_values.hpp"
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
+#include "harness/motion/kinds/vortex3d.hpp"
 #include "mpm/compose.hpp"
 #include "mpm/patch/methods.hpp"
 
@@ -16,7 +19,10 @@ namespace assay::drivers {
 
 namespace {
 
-std::string text(const std::array<double, 2>& p) { return "[" + number_text(p[0]) + ", " + number_text(p[1]) + "]"; }
+std::string text(std::span<const double> p) {
+  return flow_list(mapped(p, [](double x) { return number_text(x); }));
+}
+std::string text(const PerAxis<double>& p) { return text(std::span(&p[0], p.size())); }
 
 bool is_node(double x, double h) {
   constexpr double rounding = 1e-9;  // of a cell, as the lattices count it
@@ -72,20 +78,64 @@ class SceneCheck {
   void check_dimension() const {
     refuse_if(!in_space() && scene_.motion->only_in_space(), "dimension",
               "must be 3 for motion.type " + motion_type(scene_) + ", which has no plane version");
-    refuse_if(in_space() && scene_.method, "method",
-              "the particles are plane so far, and dimension is 3: leave one of the two out; eval and tabulate need no "
-              "method");
   }
 
-  void check_corners(const std::array<double, 2>& lower, const std::array<double, 2>& upper,
-                     const std::string& section) const {
-    refuse_if(!(lower[0] < upper[0]) || !(lower[1] < upper[1]), section + ".lower",
+  std::size_t axes() const { return in_space() ? 3 : 2; }
+
+  void check_corners(const PerAxis<double>& lower, const PerAxis<double>& upper, const std::string& section) const {
+    bool ordered = true;
+    for (std::size_t d = 0; d < axes(); ++d) ordered = ordered && lower[d] < upper[d];
+    refuse_if(!ordered, section + ".lower",
               "must be less than " + section + ".upper, found " + text(lower) + " and " + text(upper));
   }
 
+  /// In space there are boxes, and the bodies of vortices.
+  void check_body_in_space() const {
+    const Body& body = scene_.body;
+    const auto* vortex = scene_.motion.as<Vortex3d>();
+    refuse_if(body.domain == Body::Domain::ring || body.domain == Body::Domain::square, "body.domain",
+              domain_name(body.domain) + (vortex ? " lies in the plane, and dimension is 3: take box or vortex"
+                                                 : " lies in the plane, and dimension is 3: take box"));
+    refuse_if(body.domain == Body::Domain::vortex && !vortex, "body.domain",
+              "vortex is the body of motion.type vortex3d, and motion.type is " + motion_type(scene_));
+    refuse_if(body.domain == Body::Domain::vortex && body.outside == Body::Outside::held, "body.outside",
+              "a vortex alone has nothing outside it that could be held; its surface is free");
+    refuse_if(body.lattice == Body::Lattice::polar, "body.lattice", "a polar lattice fills a ring in the plane");
+    refuse_if(ring_ && !is_vortex(scene_.motion) && scene_.method, "dimension",
+              "must be 2 for motion.type " + motion_type(scene_) + " with a method: its ring has no lattice in space");
+    for (std::size_t d = 0; d < 3; ++d) {
+      const bool may = scene_.motion->may_repeat() || (d == 2 && scene_.motion->is_plane() && !scene_.frame);
+      refuse_if(body.is_periodic(d) && !may, "body.periodic",
+                motion_type(scene_) + " does not repeat along " + std::string(1, "xyz"[d]));
+    }
+    if (body.domain == Body::Domain::vortex) return;
+    check_corners(body.lower, body.upper, "body");
+    if (!vortex && !ring_) return;
+    Scene alone = scene_;
+    alone.body.domain = Body::Domain::vortex;
+    BoxOf<3> around{{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
+    if (vortex) around = body_box<3>(alone);
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (!vortex && d == 2) continue;
+      const double lower = vortex ? around.lower[d] : -ring_->outer, upper = vortex ? around.upper[d] : ring_->outer;
+      const double rounding = 1e-12 * (upper - lower);
+      refuse_if(!(body.lower[d] <= lower + rounding && body.upper[d] >= upper - rounding), "body.domain",
+                "must contain the vortex, which reaches from " + number_text(lower) + " to " + number_text(upper) +
+                    " along " + std::string(1, "XYZ"[d]) + ", and reaches from " + text(body.lower) + " to " +
+                    text(body.upper));
+    }
+  }
+
   void check_body() const {
+    if (in_space() && scene_.method) return check_body_in_space();
     const Body& body = scene_.body;
     const bool polar = body.lattice == Body::Lattice::polar;
+    if (body.domain == Body::Domain::vortex) {
+      refuse_if(!in_space(), "body.domain", "vortex is a body in space, and dimension is 2");
+      return;
+    }
+    const auto periodic = static_cast<int>(body.periodic), both = static_cast<int>(Body::Periodic::both);
+    refuse_if(periodic > both && !in_space(), "body.periodic", "z is an axis of space, and dimension is 2");
     if (body.domain == Body::Domain::ring) {
       refuse_if(!ring_, "body.domain",
                 "a ring takes its radii from the motion, and " + motion_type(scene_) + " has none");
@@ -126,9 +176,11 @@ class SceneCheck {
     const Body& body = scene_.body;
     refuse_if(body.domain == Body::Domain::ring, "body.lattice",
               points + "which a ring's edges cut: take a square or a box");
+    refuse_if(body.domain == Body::Domain::vortex, "body.lattice",
+              points + "which the vortex's surface cuts: take a box");
     refuse_if(scene_.frame && scene_.frame->angle != 0, "body.lattice",
               points + "and frame.angle turns the body against these");
-    for (std::size_t d = 0; scene_.grid && d < 2; ++d) {
+    for (std::size_t d = 0; scene_.grid && d < body.lower.size(); ++d) {
       const double h = scene_.grid->spacing;
       refuse_if(scene_.grid->offset[d] != 0, "grid.offset", points + "and the offset cuts these");
       refuse_if(!is_node(body.lower[d], h) || !is_node(body.upper[d], h), "body.lattice",
@@ -144,6 +196,7 @@ class SceneCheck {
 
   void check_initial_velocity() const {
     const std::string key = "body.initial_velocity";
+    refuse_if(in_space(), key, "is plane so far, and dimension is 3");
     refuse_if(!is_free_, key, "is for a free body, but the body force drives this body: set force.response: none");
     refuse_if(scene_.frame.has_value(), key, "cannot be combined with frame: both set the initial velocity");
     refuse_if(scene_.body.outside == Body::Outside::held, key,
@@ -164,13 +217,16 @@ class SceneCheck {
               "lower and upper only come together");
     if (!grid.lower) return;
     check_corners(*grid.lower, *grid.upper, "grid");
-    const Box body = swept_box(scene_);
+    in_space() ? check_holds(grid, swept_box<3>(scene_)) : check_holds(grid, swept_box<2>(scene_));
+  }
+
+  void check_holds(const GridChoice& grid, const auto& body) const {
     const std::string way = scene_.frame && scene_.frame->moves() ? " on all of its way" : "";
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < axes(); ++i) {
       const bool below = (*grid.lower)[i] > body.lower[i];
       refuse_if(below || !((*grid.upper)[i] >= body.upper[i]), below ? "grid.lower" : "grid.upper",
-                "the grid must contain the body" + way + ", which reaches " + text(below ? body.lower : body.upper) +
-                    ": particles would lie outside");
+                "the grid must contain the body" + way + ", which reaches " +
+                    text(std::span<const double>(below ? body.lower : body.upper)) + ": particles would lie outside");
     }
   }
 
@@ -182,9 +238,13 @@ class SceneCheck {
               "has two numbers in the plane: a third needs dimension: 3");
     refuse_if(!in_space() && !is_vortex(scene_.motion), "frame",
               "serves the vortex, and motion.type is " + motion_type(scene_));
-    refuse_if(!in_space() && frame.moves() && scene_.body.outside == Body::Outside::held,
+    refuse_if((!in_space() || scene_.method) && frame.moves() && scene_.body.outside == Body::Outside::held,
               frame.spin != 0 ? "frame.spin" : "frame.velocity",
-              "moves the ring over the grid, whose nodes around it are held: take body.outside: free or a ring alone");
+              in_space()
+                  ? "moves the vortex over the grid, whose nodes around it are held: take body.outside: free or a "
+                    "vortex alone"
+                  : "moves the ring over the grid, whose nodes around it are held: take body.outside: free or a "
+                    "ring alone");
     refuse_if(frame.spin != 0 && is_free_, "frame.spin",
               "needs the body force, of which Coriolis' and the centrifugal one are parts");
   }

@@ -36,6 +36,8 @@ std::vector<Section> all_sections() {
       section("frame", "observer's frame, for the vortex and with dimension: 3; without it: the body's own frame",
               &Scene::frame);
   for (Key& key : frame.keys) key.motions = vortex_motions(), key.all_motions_in_space = true;
+  Section body = section("body", "the particles", &Scene::body);
+  for (Key& key : body.keys) key.all_motions_in_space = key.path == "body.periodic";
   Section material = section("material", "the constitutive model", &Scene::material);
   material.required = true;
   return {
@@ -44,7 +46,7 @@ std::vector<Section> all_sections() {
       frame,
       material,
       {.path = "material.parameters", .doc = "material parameters by name, in SI units", .free_keys = true},
-      section("body", "the particles", &Scene::body),
+      body,
       section(
           "body.initial_velocity",
           "initial velocity of a free body, with force.response: none; without it: that of the motion",

@@ -17,6 +17,8 @@
 #include "drivers/text/sha256.hpp"
 #include "drivers/text/unseen.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
+#include "harness/motion/kinds/vortex.hpp"
+#include "harness/motion/kinds/vortex3d.hpp"
 
 namespace assay::drivers {
 
@@ -56,6 +58,9 @@ void check_names(const Tree& root) {
   }
 }
 
+/// Then the body and the grid are in space, too. Without a method they are of no account there.
+bool runs_in_space(const Scene& scene) { return scene.dimension == 3 && scene.method; }
+
 void read_key(const Key& key, const Tree& root, Scene& scene) {
   const Tree* tree = value_at(root, key.path);
   const std::string parent = parent_of(key.path);
@@ -66,7 +71,9 @@ void read_key(const Key& key, const Tree& root, Scene& scene) {
                      joined(names_under(parent, &scene)));
   }
   if (tree) {
-    key.set(scene, read_value(key, *tree));
+    const bool by_axes = key.type == KeyType::per_axis && (scene.dimension == 2 || runs_in_space(scene));
+    const auto axes = static_cast<std::size_t>(scene.dimension);
+    key.set(scene, by_axes ? Value(numbers_value(*tree, key.path, 1, axes, key.range)) : read_value(key, *tree));
     scene.places.merge(places_of_value(key, *tree));
   } else if (key.required && applies(key, scene)) {
     const Tree* section = parent.empty() ? &root : value_at(root, parent);
@@ -132,16 +139,33 @@ void read_motion_path(const Tree& root, Interpolation otherwise, Scene& scene) {
 /// What dimension and body are unless the scene says otherwise.
 void begin_motion(Scene& scene) {
   if (scene.motion->only_in_space() && !scene.places.contains("dimension")) scene.dimension = 3;
-  if (!ring_of(scene.motion)) scene.body.domain = Body::Domain::square;
-  scene.body.lower = scene.motion->usual_lower(), scene.body.upper = scene.motion->usual_upper();
+  Body& body = scene.body;
+  if (!ring_of(scene.motion)) body.domain = Body::Domain::square;
+  body.lower = scene.motion->usual_lower(), body.upper = scene.motion->usual_upper();
+  const int axes = runs_in_space(scene) ? 3 : 2;
+  for (PerAxis<double>* corner : {&body.lower, &body.upper}) corner->set_dimension(axes);
+  body.per_cell.set_dimension(axes);
+  if (scene.grid) scene.grid->offset.set_dimension(axes);
+  if (axes == 3) body.domain = scene.motion.as<Vortex3d>() ? Body::Domain::vortex : Body::Domain::box;
+}
+
+/// Whether b is so smooth that at points it is as good as its means, which are far dearer in space.
+bool is_smooth_in_space(const Scene& scene) {
+  if (scene.dimension != 3) return false;
+  if (const auto* plane = scene.motion.as<Vortex>()) return plane->profile_power >= Revolution::usual_power;
+  const auto* vortex = scene.motion.as<Vortex3d>();
+  return !vortex || std::ranges::all_of(vortex->all(), &Revolution::has_smooth_edge);
 }
 
 /// Defaults that follow from other keys.
 void derive(const Tree& root, Scene& scene) {
   if (!value_at(root, "body.outside")) {
-    const bool ring = scene.body.domain == Body::Domain::ring;
-    const bool holds = is_vortex(scene.motion) && !ring;
+    const bool has_outside = is_vortex(scene.motion) || scene.motion.as<Vortex3d>();
+    const bool holds = has_outside && !scene.body.is_vortex_alone();
     scene.body.outside = holds ? Body::Outside::held : Body::Outside::free;
+  }
+  if (!value_at(root, "force.evaluation") && is_smooth_in_space(scene)) {
+    scene.force.evaluation = ForceChoice::Evaluation::point;
   }
   if (!value_at(root, "body.cut")) {
     const bool average = scene.force.evaluation == ForceChoice::Evaluation::domain_average;

@@ -156,6 +156,7 @@ nlohmann::ordered_json type_schema(const Key& key) {
     case KeyType::vector:
       return list_schema(number_schema(key.range), 3);
     case KeyType::pair_or_vector:
+    case KeyType::per_axis:
       return list_schema(number_schema(key.range), 2, 3);
     case KeyType::matrix:
       return list_schema(list_schema(number_schema(key.range), 3), 3);

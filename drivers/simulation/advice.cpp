@@ -28,7 +28,8 @@ bool is_recommended(const mpm::Method& method) {
 
 /// K/G at rest, by the stiffest and the softest direction of waves, K + 4/3 G and G; 0 of a fluid, and where the
 /// material does not answer.
-double bulk_over_shear(const Problem& problem) {
+template <int Dim>
+double bulk_over_shear(const ProblemIn<Dim>& problem) {
   const auto& direction = problem.setup.material_direction;
   const Tensor I = Tensor::Identity();
   try {
@@ -43,13 +44,15 @@ double bulk_over_shear(const Problem& problem) {
 }
 
 /// Cells along the longer side of the body.
-double cells_across(const Problem& problem) {
-  const std::array<double, 2> sides = sides_of_body(problem);
-  return std::max(sides[0], sides[1]) / problem.scene.grid->spacing;
+template <int Dim>
+double cells_across(const ProblemIn<Dim>& problem) {
+  const auto sides = sides_of_body(problem);
+  return *std::max_element(sides.begin(), sides.end()) / problem.scene.grid->spacing;
 }
 
 /// Empty where few waves cross the body.
-std::string few_waves_advice(const Problem& problem) {
+template <int Dim>
+std::string few_waves_advice(const ProblemIn<Dim>& problem) {
   const auto period = period_of_few_waves(problem);
   if (!period) return {};
   return "motion.period: " + period_text(problem, *period) +
@@ -58,17 +61,19 @@ std::string few_waves_advice(const Problem& problem) {
 
 }  // namespace
 
-std::array<double, 2> sides_of_body(const Problem& problem) {
-  const mpm::Seeds<2>& seeds = problem.setup.seeds;
-  std::array<double, 2> sides{};
-  for (std::size_t d = 0; d < 2 && seeds.size() > 0; ++d) {
+template <int Dim>
+std::array<double, Dim> sides_of_body(const ProblemIn<Dim>& problem) {
+  const mpm::Seeds<Dim>& seeds = problem.setup.seeds;
+  std::array<double, Dim> sides{};
+  for (std::size_t d = 0; d < Dim && seeds.size() > 0; ++d) {
     const auto [least, most] = std::minmax_element(seeds.X[d].begin(), seeds.X[d].end());
     sides[d] = *most - *least + 2 * seeds.half_size[d];
   }
   return sides;
 }
 
-std::string advice_after_large_error(const Problem& problem, double relative) {
+template <int Dim>
+std::string advice_after_large_error(const ProblemIn<Dim>& problem, double relative) {
   constexpr double large = 0.3;  ///< where the waves of a stiff model are to blame
   std::string few = few_waves_advice(problem);
   if (!(relative > (few.empty() ? 1 : large))) return {};
@@ -78,7 +83,8 @@ std::string advice_after_large_error(const Problem& problem, double relative) {
   return (few.empty() ? "" : few + "; or ") + "a finer grid" + why;
 }
 
-std::string advice_after_death(const Problem& problem, const std::string& reason) {
+template <int Dim>
+std::string advice_after_death(const ProblemIn<Dim>& problem, const std::string& reason) {
   if (!problem.compared && reason.find("left the grid") != reason.npos)
     return "grid.lower and grid.upper: a free body needs room for its whole path";
   if (const auto period = shorter_period(problem)) {
@@ -119,5 +125,12 @@ std::string advice_after_death(const Problem& problem, const std::string& reason
   return few + (few.empty() ? "" : "; ") + model + "total B-splines (" + changes +
          ") complete every hard case that was measured" + locking;
 }
+
+template std::array<double, 2> sides_of_body<2>(const ProblemIn<2>&);
+template std::array<double, 3> sides_of_body<3>(const ProblemIn<3>&);
+template std::string advice_after_large_error(const ProblemIn<2>&, double);
+template std::string advice_after_large_error(const ProblemIn<3>&, double);
+template std::string advice_after_death(const ProblemIn<2>&, const std::string&);
+template std::string advice_after_death(const ProblemIn<3>&, const std::string&);
 
 }  // namespace assay::drivers

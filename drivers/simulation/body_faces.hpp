@@ -11,9 +11,10 @@
 namespace assay::drivers {
 
 /// Of the motions in the unit box: faces at whole metres, and of the bar those along it, are symmetry planes; others
-/// bear tractions. Periodic ones as body.periodic says. Throws InputError where a plane is no line of the grid, or the
-/// body no whole number of periods.
-std::array<mpm::AxisEnds, 2> ends_of(const Scene& scene);
+/// bear tractions. In space so are those across the axis of a vortex in the plane. Periodic ones as body.periodic says.
+/// Throws InputError where a plane is no line of the grid, or the body no whole number of periods.
+template <int Dim = 2>
+std::array<mpm::AxisEnds, Dim> ends_of(const Scene& scene);
 
 /// Throws InputError where the corners of a box are not corners of the particles' domains.
 void require_surface(const Scene& scene);

@@ -6,6 +6,8 @@
 
 #include "drivers/simulation/response_source.hpp"
 #include "harness/numeric/norms.hpp"
+#include "mpm/basis/basis.hpp"
+#include "mpm/data/blocks.hpp"
 
 namespace assay::drivers {
 
@@ -27,7 +29,13 @@ double distance2(const std::array<double, N>& a, const std::array<double, N>& b)
   return sum;
 }
 
-double determinant(const std::array<double, 4>& F) { return F[0] * F[3] - F[1] * F[2]; }
+/// Of a symmetric tensor's 11, 22, 33, 12, 13, 23; in the plane all components are there.
+double stress_distance2(const std::array<double, 5>& a, const std::array<double, 5>& b) { return distance2(a, b); }
+double stress_distance2(const std::array<double, 6>& a, const std::array<double, 6>& b) {
+  double sum = distance2(a, b);
+  for (std::size_t c = 3; c < 6; ++c) sum += square(a[c] - b[c]);
+  return sum;
+}
 
 FieldError of(const NormAccumulator& norm, double unit = 1) { return {norm.l2() * unit, norm.linf() * unit}; }
 
@@ -42,37 +50,51 @@ std::array<double, N> over(std::array<double, N> values, double unit) {
 
 }  // namespace
 
-ErrorSampler::ErrorSampler(const Problem& problem, const ExactSolutionPtr& solution, const mpm::State<2>& state)
+template <int Dim>
+ErrorSampler<Dim>::ErrorSampler(const ProblemIn<Dim>& problem, const ExactSolutionPtr& solution,
+                                const mpm::State<Dim>& state)
     : held_(problem.setup.seeds.held.size()),
       stress_unit_(power_of_two_near(problem.setup.density * problem.wave_speed * problem.wave_speed)),
       displacement_error_(state.particles),
       measure_(state.particles) {
   const ExactSolutionPtr seen = as_seen(problem.scene, solution);
-  const ExactPoints points{std::span(state.column(Column::reference_position, 0), state.particles),
-                           std::span(state.column(Column::reference_position, 1), state.particles)};
-  now_ = seen->instant(points, {.stress = true});
-  velocity_ = seen->instant(points, {.motion = true});
+  const auto X = [&](int d) { return std::span(state.column(Column::reference_position, d), state.particles); };
+  if constexpr (Dim == 2) {
+    const ExactPoints points{X(0), X(1)};
+    now_ = seen->instant(points, {.stress = true});
+    velocity_ = seen->instant(points, {.motion = true});
+  } else {
+    const SpaceInstant::Points points{X(0), X(1), X(2)};
+    now_ = std::make_unique<SpaceInstant>(seen, points, Asked{.stress = true});
+    velocity_ = std::make_unique<SpaceInstant>(seen, points, Asked{.motion = true});
+  }
 }
 
-ErrorSample ErrorSampler::sample(const mpm::State<2>& s, double t, double velocity_time) {
+template <int Dim>
+ErrorSample ErrorSampler<Dim>::sample(const mpm::State<Dim>& s, double t, double velocity_time) {
   now_->set_time(t);
   velocity_->set_time(velocity_time);
   NormAccumulator u, v, F, J, stress, exact, all;
-  for (std::size_t p = 0; p < s.particles; ++p) {
-    const PlaneState e = now_->state(p);
-    const auto F_p = s.at<4>(Column::deformation_gradient, p);
-    const double volume = s.column(Column::volume)[p];
-    const double du2 = distance2(s.at<2>(Column::position, p), e.x);
-    displacement_error_[p] = std::sqrt(du2);
-    measure_[p] = now_->measure(p, F_p);
-    all.add(1, du2);
-    if (!now_->moves(p)) continue;
-    u.add(volume, du2);
-    exact.add(volume, distance2(now_->displacement(p), {}));
-    v.add(volume, distance2(s.at<2>(Column::velocity, p), velocity_->velocity(p)));  // (28)
-    F.add(volume, distance2(F_p, e.F));
-    J.add(volume, square(determinant(F_p) - determinant(e.F)));
-    stress.add(volume, distance2(over(s.at<5>(Column::stress, p), stress_unit_), over(e.sigma, stress_unit_)));
+  for (std::size_t begin = 0; begin < s.particles; begin += mpm::block_size) {
+    const std::size_t end = std::min(s.particles, begin + mpm::block_size);
+    const auto &here = now_->window(begin, end), &moving = velocity_->window(begin, end);
+    for (std::size_t p = begin; p < end; ++p) {
+      const FieldState<Dim> e = here.state(p);
+      const auto F_p = s.template at<Dim * Dim>(Column::deformation_gradient, p);
+      const double volume = s.column(Column::volume)[p];
+      const double du2 = distance2(s.template at<Dim>(Column::position, p), e.x);
+      displacement_error_[p] = std::sqrt(du2);
+      measure_[p] = here.measure(p, F_p);
+      all.add(1, du2);
+      if (!here.moves(p)) continue;
+      u.add(volume, du2);
+      exact.add(volume, distance2(here.displacement(p), {}));
+      v.add(volume, distance2(s.template at<Dim>(Column::velocity, p), moving.velocity(p)));  // (28)
+      F.add(volume, distance2(F_p, e.F));
+      J.add(volume, square(mpm::determinant<Dim>(F_p) - mpm::determinant<Dim>(e.F)));
+      const auto sigma = s.template at<mpm::stress_components<Dim>>(Column::stress, p);
+      stress.add(volume, stress_distance2(over(sigma, stress_unit_), over(e.sigma, stress_unit_)));
+    }
   }
   exact_displacement_ = exact.l2();
   ErrorSample result{t, of(u), 0, of(v), of(F), of(J), of(stress, stress_unit_)};
@@ -80,6 +102,9 @@ ErrorSample ErrorSampler::sample(const mpm::State<2>& s, double t, double veloci
   result.rms36 = all.l2() * std::sqrt(stepped / (stepped + static_cast<double>(held_)));  // (36): held ones err by 0
   return result;
 }
+
+template class ErrorSampler<2>;
+template class ErrorSampler<3>;
 
 ErrorFigures figures_of(const std::vector<ErrorSample>& history, double half_period, double end,
                         double largest_displacement) {

@@ -4,18 +4,19 @@
 
 #include "drivers/result/result.hpp"
 #include "drivers/simulation/problem.hpp"
-#include "harness/exact/exact_fields.hpp"
+#include "harness/exact/space_instant.hpp"
 #include "mpm/step/state.hpp"
 
 namespace assay::drivers {
 
+template <int Dim>
 class ErrorSampler {
  public:
-  ErrorSampler(const Problem& problem, const ExactSolutionPtr& solution, const mpm::State<2>& state);
+  ErrorSampler(const ProblemIn<Dim>& problem, const ExactSolutionPtr& solution, const mpm::State<Dim>& state);
 
   /// Errors of displacement, velocity, F, J and Cauchy stress at time t.
   /// velocity_time: to which the particles' velocities belong [s].
-  ErrorSample sample(const mpm::State<2>& state, double t, double velocity_time);
+  ErrorSample sample(const mpm::State<Dim>& state, double t, double velocity_time);
 
   /// |u - u_exact| of each particle at the time of the last sample [m].
   const std::vector<double>& displacement_error() const { return displacement_error_; }
@@ -25,8 +26,8 @@ class ErrorSampler {
   double exact_displacement() const { return exact_displacement_; }
 
  private:
-  std::unique_ptr<ExactInstant> now_;       ///< as the scene's frame sees it
-  std::unique_ptr<ExactInstant> velocity_;  ///< the same at the time of the particles' velocities
+  std::unique_ptr<InstantOf<Dim>> now_;       ///< as the scene's frame sees it
+  std::unique_ptr<InstantOf<Dim>> velocity_;  ///< the same at the time of the particles' velocities
   std::size_t held_;
   double stress_unit_;  ///< a power of two near rho c^2 [Pa]: squares of errors neither overflow nor vanish
   std::vector<double> displacement_error_, measure_;

@@ -9,14 +9,15 @@
 
 namespace assay::drivers {
 
+template <int Dim>
 class HealthWatch {
  public:
-  HealthWatch(const Problem& problem, const mpm::State<2>& state);
+  HealthWatch(const ProblemIn<Dim>& problem, const mpm::State<Dim>& state);
 
   /// Looks every few steps. steps: taken so far; t: reached [s]; dt: of the last step [s]; wave: the fastest [m/s]. Why
   /// the run must stop, if it must: a velocity or a stress that is no number, or more kinetic energy than the known
   /// forces can have given.
-  std::optional<mpm::Finding> look(const mpm::State<2>& state, std::int64_t steps, double t, double dt, double wave);
+  std::optional<mpm::Finding> look(const mpm::State<Dim>& state, std::int64_t steps, double t, double dt, double wave);
 
   /// The worst that was seen.
   const HealthFigures& figures() const { return figures_; }
@@ -30,13 +31,13 @@ class HealthWatch {
     std::size_t fastest_particle = 0;
     std::optional<std::size_t> no_number;
   };
-  Seen scan(const mpm::State<2>& state) const;
-  double half_diagonal(const mpm::State<2>& state, std::size_t p) const;
-  double acceleration(const mpm::State<2>& state) const;
-  double release(const mpm::State<2>& state) const;
+  Seen scan(const mpm::State<Dim>& state) const;
+  double half_diagonal(const mpm::State<Dim>& state, std::size_t p) const;
+  double acceleration(const mpm::State<Dim>& state) const;
+  double release(const mpm::State<Dim>& state) const;
   bool judges_energy() const;
 
-  const Problem* problem_;
+  const ProblemIn<Dim>* problem_;
   bool convects_;         ///< domains of particles
   double mass_ = 0;       ///< of all particles [kg]
   double reachable_ = 0;  ///< root mean square speed that forces can have given so far [m/s]
@@ -46,22 +47,23 @@ class HealthWatch {
 
 /// Momentum, mass and energy of the particles against what the forces gave them. Drift figures are the largest
 /// difference over all checks, relative to the largest amount seen.
+template <int Dim>
 class Accounts {
  public:
-  explicit Accounts(const mpm::State<2>& state);
+  explicit Accounts(const mpm::State<Dim>& state);
 
-  void check(const mpm::State<2>& state);
+  void check(const mpm::State<Dim>& state);
   DriftFigures drift() const;
 
  private:
   struct Amounts {
-    double momentum[2] = {};      ///< [N s]
-    double momentum_scale = 0;    ///< sum of m |v| [N s]
-    double angular_momentum = 0;  ///< about E_z [N m s]
-    double angular_scale = 0;     ///< sum of its parts' sizes [N m s]
-    double kinetic_energy = 0;    ///< [J]
+    std::array<double, Dim> momentum{};        ///< [N s]
+    double momentum_scale = 0;                 ///< sum of m |v| [N s]
+    std::array<double, 3> angular_momentum{};  ///< about the origin; in the plane about E_z [N m s]
+    double angular_scale = 0;                  ///< sum of its parts' sizes [N m s]
+    double kinetic_energy = 0;                 ///< [J]
   };
-  static Amounts amounts_of(const mpm::State<2>& state);
+  static Amounts amounts_of(const mpm::State<Dim>& state);
 
   Amounts first_;
   bool held_ = false;  ///< reactions act: the angular account does not close
@@ -76,6 +78,6 @@ class Accounts {
 std::optional<GrowthFigures> growth_of(const std::vector<ErrorSample>& history);
 
 /// What to do about it, for a motion under tractions.
-std::string growth_sentence(const GrowthFigures& growth, const Problem& problem);
+std::string growth_sentence(const GrowthFigures& growth, mpm::TractionForm form);
 
 }  // namespace assay::drivers

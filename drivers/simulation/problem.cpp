@@ -12,48 +12,45 @@
 #include "drivers/system/terminal.hpp"
 #include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
-#include "mpm/basis/corners.hpp"
-#include "mpm/patch/methods.hpp"
+#include "harness/motion/kinds/vortex3d.hpp"
 #include "mpm/seeding/lattice.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
-constexpr double cell_bytes = 420, sector_bytes = 90;  ///< that averaging over a particle's domain takes (measured)
-constexpr double spin_bytes = 120;  ///< that a spinning frame's force takes, its means included (counted)
-constexpr double inertia_bytes =
-    92;  ///< that giving particles their inertia takes where no two radii are equal (counted)
-
-mpm::GridGeometry<2> grid_around(const Box& box, const GridChoice& choice, int margin) {
-  Box by_nodes = box;
-  for (std::size_t d = 0; d < 2; ++d) {
+template <int Dim>
+mpm::GridGeometry<Dim> grid_around(const BoxOf<Dim>& box, const GridChoice& choice, int margin) {
+  BoxOf<Dim> by_nodes = box;
+  for (std::size_t d = 0; d < Dim; ++d) {
     by_nodes.lower[d] -= choice.offset[d] * choice.spacing;
     by_nodes.upper[d] -= choice.offset[d] * choice.spacing;
   }
-  mpm::GridGeometry<2> grid = mpm::grid_around(by_nodes.lower, by_nodes.upper, choice.spacing, margin);
+  mpm::GridGeometry<Dim> grid = mpm::grid_around(by_nodes.lower, by_nodes.upper, choice.spacing, margin);
   grid.offset = choice.offset;
   return grid;
 }
 
-mpm::GridGeometry<2> grid_of(const Scene& scene) {
+template <int Dim>
+mpm::GridGeometry<Dim> grid_of(const Scene& scene) {
   const GridChoice& grid = *scene.grid;
-  const Box body = swept_box(scene);
+  const BoxOf<Dim> body = swept_box<Dim>(scene);
   if (!grid.lower) return grid_around(body, grid, grid_margin);
-  for (std::size_t d = 0; d < 2; ++d) {
-    if ((*grid.lower)[d] > body.lower[d] || (*grid.upper)[d] < body.upper[d]) {
+  const BoxOf<Dim> given{*grid.lower, *grid.upper};
+  for (std::size_t d = 0; d < Dim; ++d) {
+    if (given.lower[d] > body.lower[d] || given.upper[d] < body.upper[d]) {
+      const auto text = [](const auto& corner) {
+        return "[" + joined(corner, [](double x) { return rounded_text(x, 6); }) + "]";
+      };
       refuse(scene, "grid",
-             "particles of the body lie outside the grid, whose corners are [" + rounded_text((*grid.lower)[0], 6) +
-                 ", " + rounded_text((*grid.lower)[1], 6) + "] and [" + rounded_text((*grid.upper)[0], 6) + ", " +
-                 rounded_text((*grid.upper)[1], 6) + "]");
+             "particles of the body lie outside the grid, whose corners are " + text(given.lower) + " and " +
+                 text(given.upper));
     }
   }
-  const int across = mpm::traits_of<2>(scene.method->basis).nodes_across;
+  const int across = mpm::traits_of<Dim>(scene.method->basis).nodes_across;
   int margin = 1;  // one cell for the domains at the edge, and as many nodes as a particle reaches over
-  mpm::GridGeometry<2> found = grid_around({*grid.lower, *grid.upper}, grid, margin);
-  while (std::min(found.count[0], found.count[1]) < across) {
-    found = grid_around({*grid.lower, *grid.upper}, grid, ++margin);
-  }
+  mpm::GridGeometry<Dim> found = grid_around(given, grid, margin);
+  while (*std::min_element(found.count.begin(), found.count.end()) < across) found = grid_around(given, grid, ++margin);
   return found;
 }
 
@@ -79,9 +76,10 @@ void resolve_wave_speed(Scene& scene) {
 }
 
 /// Body force, tractions, and what the body's other faces are.
-void choose_forces(Problem& problem) {
+template <int Dim>
+void choose_forces(ProblemIn<Dim>& problem) {
   Scene& scene = problem.scene;
-  mpm::Setup<2>& setup = problem.setup;
+  mpm::Setup<Dim>& setup = problem.setup;
   const bool forced = scene.force.response != ForceChoice::Response::none;
   setup.body_force = forced && scene.motion->accelerates();
   problem.compared = forced;
@@ -95,24 +93,25 @@ void choose_forces(Problem& problem) {
     }
     setup.traction.reset();
   }
-  setup.ends = ends_of(scene);
-  if (setup.has_images() && setup.grid.offset != std::array<double, 2>{}) {
+  setup.ends = ends_of<Dim>(scene);
+  if (setup.has_images() && setup.grid.offset != std::array<double, Dim>{}) {
     refuse(scene, "grid.offset",
            "symmetry planes and periodic ends of the body lie on nodes, which an offset takes away from them");
   }
   // a force that is linear in X is on a domain what it is in its middle; at Gauss points their rule takes the mean
-  const bool pointwise =
-      scene.motion->is_homogeneous() || (!ring_of(scene.motion) && scene.body.lattice == Body::Lattice::gauss);
+  const bool by_rule =
+      !ring_of(scene.motion) && !scene.motion.as<Vortex3d>() && scene.body.lattice == Body::Lattice::gauss;
+  const bool pointwise = scene.motion->is_homogeneous() || by_rule;
   setup.evaluation = pointwise ? mpm::Evaluation::point : scene.force.evaluation;
   setup.inertia = scene.force.inertia;
 }
 
 /// Far from the origin the numbers themselves may lie further apart than particles can bear.
-std::string no_particle_sentence(const Problem& problem) {
-  const double spacing = problem.setup.grid.spacing;
+std::string no_particle_sentence(const PosedScene& problem) {
+  const double spacing = problem.scene.grid->spacing;
   double far = 0;
   for (const auto& corner : {problem.scene.body.lower, problem.scene.body.upper}) {
-    for (const double x : corner) far = std::max(far, std::abs(x));
+    for (std::size_t d = 0; d < corner.size(); ++d) far = std::max(far, std::abs(corner[d]));
   }
   const double apart = std::nextafter(far, 2 * far) - far;
   std::string sentence = "leaves no particle in the body";
@@ -122,65 +121,6 @@ std::string no_particle_sentence(const Problem& problem) {
 }
 
 }  // namespace
-
-std::string frame_text(const Frame& frame) {
-  const Vector3& c = frame.velocity;
-  std::string text;
-  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-  if (frame.angle != 0) add("turned by " + rounded_text(frame.angle, 4) + " rad");
-  if (frame.spin != 0) add("spin " + rounded_text(frame.spin, 4) + " rad/s");
-  if (c != Vector3::Zero()) add("velocity (" + rounded_text(c.x(), 4) + ", " + rounded_text(c.y(), 4) + ") m/s");
-  return text.empty() ? "the body's own" : text;
-}
-
-std::string Problem::motion_text() const {
-  if (is_vortex(scene.motion)) return "; amplitude " + rounded_text(scene.motion->amplitude()->peak, 4);
-  std::string text = "; " + motion_type(scene);
-  if (setup.traction) {
-    text += ", traction by " + in_plain_words(word_of(setup.traction->algorithm)) + ", " +
-            word_of(setup.traction->form) + " form";
-  }
-  return text;
-}
-
-std::string Problem::subject() const {
-  const mpm::MethodNames names = mpm::names_of(setup.method);
-  const mpm::Method& method = setup.method;
-  std::string way = names.basis + (method.is_total() ? ", total, " : ", ") + names.transfer + ", " + names.update;
-  if (method.mass != mpm::Mass::lumped) way += ", " + names.mass;
-  if (method.has_terms()) way += " " + std::to_string(method.terms);
-  if (method.integrator != mpm::Integrator::symplectic_euler) way += ", " + word_of(method.integrator);
-  for (const auto& effect : mpm::effects<2>()) {
-    if (effect.in_title && effect.called_for(setup)) way += ", " + effect.in_title(setup.options);
-  }
-  return material->name() + "; " + way + "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " +
-         std::to_string(scene.body.per_cell[0]) + "x" + std::to_string(scene.body.per_cell[1]) + " a cell" +
-         (scene.body.lattice == Body::Lattice::cartesian ? "" : ", " + word_of(scene.body.lattice)) + motion_text() +
-         (scene.frame ? "; frame: " + frame_text(*scene.frame) : "") +
-         (setup.uses_exact_solution() ? "; uses the exact solution" : "");
-}
-
-double Problem::estimated_bytes() const {
-  double bytes = static_cast<double>(setup.grid.nodes()) * static_cast<double>(mpm::grid_bytes_per_node(setup));
-  for (const auto& use : mpm::columns_of(mpm::compose(setup), setup)) {
-    bytes += static_cast<double>(use.bytes) * static_cast<double>(setup.seeds.size());
-  }
-  const auto stepped = static_cast<double>(setup.seeds.size()), held = static_cast<double>(setup.seeds.held.size());
-  constexpr double seed = 2 * sizeof(double), ring_point = 2 * sizeof(double) + sizeof(std::uint32_t);
-  bytes += seed * (stepped + held);
-  if (compared) bytes += stepped * (2 * ring_point + 4 * sizeof(double));  // force field and error sampler
-  if (setup.seeds.domains || setup.evaluation == mpm::Evaluation::domain_average) {
-    bytes += stepped * (scene.body.lattice == Body::Lattice::polar ? sector_bytes : cell_bytes);
-  }
-  if (setup.frame && setup.frame->spin != 0) bytes += stepped * spin_bytes;
-  if (setup.uses_exact_solution()) bytes += stepped * inertia_bytes;
-  bytes += static_cast<double>(setup.seeds.corners.size() * sizeof(mpm::Corners<2>));
-  if (scene.force.response == ForceChoice::Response::shadow) {  // states and stress at both ends of a step, and F
-    bytes += scene.force.radii * sizeof(double) * (2.0 * static_cast<double>(material->state_size()) + 4 * 9);
-  }
-  if (compared && scene.output.pictures) bytes += stepped * 2 * 9 * sizeof(double);  // two frames
-  return bytes;
-}
 
 std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) {
   ResolvedMaterial resolved = resolve_material(scene);
@@ -194,27 +134,30 @@ std::shared_ptr<const Material> material_of(Scene& scene, std::string& library) 
   return std::make_shared<const Material>(std::move(resolved.material));
 }
 
-Problem assemble(const Scene& given, int threads) {
-  Problem problem;
+template <int Dim>
+ProblemIn<Dim> assemble(const Scene& given, int threads) {
+  ProblemIn<Dim> problem;
   problem.scene = given;
   Scene& scene = problem.scene;
   require_runnable(scene);
-  check_sizes(scene);
+  check_sizes<Dim>(scene);
   problem.material = material_of(scene, problem.library);
   require_reversible(scene, *problem.material);
   require_few_periods(scene, *problem.material);
-  mpm::Setup<2>& setup = problem.setup;
+  mpm::Setup<Dim>& setup = problem.setup;
   setup.method = *scene.method;
-  setup.grid = grid_of(scene);
-  setup.seeds = seeds_of(scene);
+  setup.grid = grid_of<Dim>(scene);
+  setup.seeds = seeds_of<Dim>(scene);
   mpm::order_by_nodes(setup);
   setup.density = scene.material.density;
   setup.material = problem.material;
   choose_forces(problem);
   setup.motion = scene.motion;
   setup.frame = scene.frame;
-  if (const auto& v = scene.body.initial_velocity) setup.initial_velocity = {v->velocity, v->gradient()};
-  setup.hold_outside = scene.body.domain != Body::Domain::ring && scene.body.outside == Body::Outside::held;
+  if constexpr (Dim == 2) {
+    if (const auto& v = scene.body.initial_velocity) setup.initial_velocity = {v->velocity, v->gradient()};
+  }
+  setup.hold_outside = !scene.body.is_vortex_alone() && scene.body.outside == Body::Outside::held;
   setup.accounts = scene.output.accounts;
   setup.options = scene.effects;
   setup.threads = threads;
@@ -225,5 +168,8 @@ Problem assemble(const Scene& given, int threads) {
   check_limits(problem);
   return problem;
 }
+
+template ProblemIn<2> assemble<2>(const Scene&, int);
+template ProblemIn<3> assemble<3>(const Scene&, int);
 
 }  // namespace assay::drivers

@@ -116,7 +116,7 @@ ExactSolutionPtr exact_solution_of(const Scene& scene, const std::shared_ptr<con
   ResponseMaking marching = how;
   marching.marching = true;
   if (auto found = solution_of_places(scene, material, path, end, marching)) {
-    if (in_box) found->source();  // makes the series before the run begins
+    if (in_box && scene.dimension == 2) found->source();  // makes the series before the run begins
     return found;
   }
   constexpr double of_step = 1e-4;  // of what is asked of the whole

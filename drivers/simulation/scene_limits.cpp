@@ -6,6 +6,7 @@
 #include "drivers/simulation/body_faces.hpp"
 #include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
+#include "harness/motion/kinds/vortex3d.hpp"
 
 namespace assay::drivers {
 
@@ -18,9 +19,9 @@ constexpr double most_snapshots = 1e5;  ///< of every step
 constexpr double sheet_updates = 5e4;
 
 /// Material points that are marched for the response before or beside the particles, times their steps.
-double history_steps(const Problem& problem) {
+double history_steps(const PosedScene& problem) {
   const Scene& scene = problem.scene;
-  if (!problem.compared || !ring_of(scene.motion)) return 0;
+  if (!problem.compared || !(ring_of(scene.motion) || scene.motion.as<Vortex3d>())) return 0;
   using enum ForceChoice::Response;
   if (scene.force.response == shadow) return static_cast<double>(problem.steps) * scene.force.radii;
   if (scene.force.response != sheet) return 0;
@@ -45,11 +46,13 @@ void require_runnable(const Scene& scene) {
     refuse(scene, "force.quasi_static", "leaves the inertia out, which every run has: it serves eval, for other codes");
   if (!scene.method)
     refuse(scene, "method", "a scene without a method cannot be run: only tabulated, evaluated and checked");
-  if (!scene.motion->is_plane()) {
+  if (scene.dimension == 2 && !scene.motion->is_plane()) {
     refuse(scene, "motion",
-           "the method is plane strain: nothing may happen out of the plane, and axes must be [0, 0, 1]");
+           "the method is plane strain: nothing may happen out of the plane, and axes must be [0, 0, 1]; or take "
+           "dimension: 3");
   }
-  const Amplitude* amplitude = is_vortex(scene.motion) ? scene.motion->amplitude() : nullptr;
+  const bool turns = is_vortex(scene.motion) || scene.motion.as<Vortex3d>();
+  const Amplitude* amplitude = turns ? scene.motion->amplitude() : nullptr;
   if (amplitude && amplitude->type == Amplitude::Type::ramp && scene.time.end > amplitude->period) {
     refuse(scene, "time.end",
            "a ramp stops at its period: the velocity jumps there, and no body force can do that; end the run "
@@ -60,12 +63,13 @@ void require_runnable(const Scene& scene) {
 }
 
 /// Before a lattice and a grid are made: whether their sizes alone are out of all bounds.
+template <int Dim>
 void check_sizes(const Scene& scene) {
   constexpr double most = 2e9;  // particles and nodes are counted in 32 bits
   const GridChoice& grid = *scene.grid;
-  const Box body = body_box(scene), swept = swept_box(scene);
+  const auto body = body_box<Dim>(scene), swept = swept_box<Dim>(scene);
   double particles = 1, nodes = 1;
-  for (std::size_t d = 0; d < 2; ++d) {
+  for (std::size_t d = 0; d < Dim; ++d) {
     particles *= (body.upper[d] - body.lower[d]) / grid.spacing * scene.body.per_cell[d];
     const double width = grid.lower ? (*grid.upper)[d] - (*grid.lower)[d] : swept.upper[d] - swept.lower[d];
     nodes *= width / grid.spacing + 2 * grid_margin + 2;
@@ -77,7 +81,7 @@ void check_sizes(const Scene& scene) {
            "makes about " + rounded_text(count, 3) + " " + what +
                ": more than limits.memory_gib = " + rounded_text(scene.limits.memory_gib, 6) + " can hold");
   };
-  check(particles, 2 * sizeof(double), "grid.spacing", "particles");
+  check(particles, Dim * sizeof(double), "grid.spacing", "particles");
   check(nodes, 9 * sizeof(double), grid.lower ? "grid.upper" : "grid.spacing", "grid nodes");
 }
 
@@ -99,7 +103,8 @@ void require_few_periods(const Scene& scene, const Material& material) {
              " periods of the motion, whose T is " + rounded_text(scene.motion->period(), 6) + " s");
 }
 
-void check_limits(const Problem& problem) {
+template <int Dim>
+void check_limits(const ProblemIn<Dim>& problem) {
   const Scene& scene = problem.scene;
   const double gib = problem.estimated_bytes() / (1024.0 * 1024 * 1024);
   if (gib > scene.limits.memory_gib) {
@@ -125,5 +130,10 @@ void check_limits(const Problem& problem) {
                rounded_text(scene.limits.particle_steps, 6));
   }
 }
+
+template void check_sizes<2>(const Scene&);
+template void check_sizes<3>(const Scene&);
+template void check_limits(const ProblemIn<2>&);
+template void check_limits(const ProblemIn<3>&);
 
 }  // namespace assay::drivers

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/simulation/simulate.hpp"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 
 #include "adapters/worker/remote_table.hpp"
 #include "drivers/simulation/health.hpp"
@@ -26,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Steps after which something is due `count` times over the run.
-std::set<std::int64_t> schedule(const Problem& problem, int count) {
+std::set<std::int64_t> schedule(const PosedScene& problem, int count) {
   std::set<std::int64_t> due;
   if (count <= 0) return due;
   for (int k = 0; k <= count; ++k) {
@@ -41,9 +37,10 @@ std::set<std::int64_t> schedule(const Problem& problem, int count) {
 constexpr std::int64_t fewest_steps_of_good = 64, most_goods = 200;
 
 /// One run's moving parts, so that the loop itself reads as it is.
+template <int Dim>
 class Run {
  public:
-  Run(Problem& problem, const ExactSolutionPtr& exact, Snapshots& snapshots, Result& result)
+  Run(ProblemIn<Dim>& problem, const ExactSolutionPtr& exact, Snapshots<Dim>& snapshots, Result& result)
       : problem_(problem),
         snapshots_(snapshots),
         result_(result),
@@ -95,16 +92,16 @@ class Run {
 
  private:
   /// Null of a material in this process.
-  static std::shared_ptr<StressOffload> workers_of(const Problem& problem) {
+  static std::shared_ptr<StressOffload<Dim>> workers_of(const ProblemIn<Dim>& problem) {
     const bool apart = !adapters::start_of(&problem.material->table()).task.empty();
-    return apart ? std::make_shared<StressOffload>(problem.setup) : nullptr;
+    return apart ? std::make_shared<StressOffload<Dim>>(problem.setup) : nullptr;
   }
 
-  static mpm::Setup<2> setup_of(const Problem& problem, const ExactSolutionPtr& exact,
-                                const std::shared_ptr<StressOffload>& workers) {
-    mpm::Setup<2> setup = problem.setup;
+  static mpm::Setup<Dim> setup_of(const ProblemIn<Dim>& problem, const ExactSolutionPtr& exact,
+                                  const std::shared_ptr<StressOffload<Dim>>& workers) {
+    mpm::Setup<Dim> setup = problem.setup;
     setup.exact = exact;
-    if (workers) setup.offload = StressOffload::offload_of(workers);
+    if (workers) setup.offload = StressOffload<Dim>::offload_of(workers);
     return setup;
   }
 
@@ -149,16 +146,17 @@ class Run {
 
   void record(const mpm::Finding& finding) {
     result_.outcome = finding.kind == mpm::Finding::Kind::unstable ? "unstable" : "material_failed";
-    const mpm::State<2>& s = simulation_.state();
+    const mpm::State<Dim>& s = simulation_.state();
     const auto p = static_cast<std::size_t>(finding.particle);
     const auto X = [&](int d) { return rounded_text(s.column(mpm::Column::reference_position, d)[p], 6); };
     result_.reason = finding.reason + ": particle " + std::to_string(finding.particle) + " of reference position (" +
-                     X(0) + ", " + X(1) + ") m at t = " + rounded_text(result_.t.value_or(0), 6) + " s";
+                     X(0) + ", " + X(1) + (Dim == 3 ? ", " + X(2) : "") +
+                     ") m at t = " + rounded_text(result_.t.value_or(0), 6) + " s";
     if (finding.step) result_.failed_step = std::make_shared<const FailedStep>(*finding.step);
   }
 
   void finish(std::int64_t steps) {
-    const mpm::State<2>& s = simulation_.state();
+    const mpm::State<Dim>& s = simulation_.state();
     result_.dt = control_ && steps > 0 ? result_.t.value_or(0) / static_cast<double>(steps) : problem_.dt;
     if (control_) result_.material_calls += control_->material_calls();
     result_.steps = steps;
@@ -182,29 +180,29 @@ class Run {
           figures_of(result_.history, 0.5 * problem_.period(), problem_.scene.time.end, largest_displacement_);
     }
     if (problem_.setup.traction) result_.growth = growth_of(result_.history);
-    if (result_.growth) result_.warnings.push_back(growth_sentence(*result_.growth, problem_));
+    if (result_.growth) result_.warnings.push_back(growth_sentence(*result_.growth, problem_.setup.traction->form));
     if (accounts_) result_.drift = accounts_->drift();
     result_.health = health_.figures();
     for (const std::string& sentence : health_.sentences()) result_.warnings.push_back(sentence);
   }
 
-  Problem& problem_;
-  Snapshots& snapshots_;
+  ProblemIn<Dim>& problem_;
+  Snapshots<Dim>& snapshots_;
   Result& result_;
-  std::shared_ptr<StressOffload> workers_;  ///< of a material that runs in processes of its own
-  mpm::Simulation<2> simulation_;
-  HealthWatch health_;
-  std::optional<TimeControl> control_;
+  std::shared_ptr<StressOffload<Dim>> workers_;  ///< of a material that runs in processes of its own
+  mpm::Simulation<Dim> simulation_;
+  HealthWatch<Dim> health_;
+  std::optional<TimeControl<Dim>> control_;
   std::int64_t good_interval_;  ///< steps between two states that are kept
-  std::optional<ErrorSampler> sampler_;
-  std::optional<Accounts> accounts_;
+  std::optional<ErrorSampler<Dim>> sampler_;
+  std::optional<Accounts<Dim>> accounts_;
   Observations due_;
   double sampling_s_ = 0, output_s_ = 0, observing_cpu_s_ = 0, largest_displacement_ = 0;
 };
 
 }  // namespace
 
-Observations observations_of(const Problem& problem) {
+Observations observations_of(const PosedScene& problem) {
   const OutputChoice& output = problem.scene.output;
   const bool compared = problem.compared;
   Observations due{schedule(problem, compared ? std::max(output.errors, 1) : 0),
@@ -219,10 +217,11 @@ Observations observations_of(const Problem& problem) {
   return due;
 }
 
-void simulate(Problem& problem, const ExactSolutionPtr& exact, Snapshots& snapshots, Progress& progress,
+template <int Dim>
+void simulate(ProblemIn<Dim>& problem, const ExactSolutionPtr& exact, Snapshots<Dim>& snapshots, Progress& progress,
               Result& result) {
   auto start = Clock::now();
-  Run run(problem, exact, snapshots, result);
+  Run<Dim> run(problem, exact, snapshots, result);
   result.setup_s += seconds_since(start);
   start = Clock::now();
   try {
@@ -233,25 +232,7 @@ void simulate(Problem& problem, const ExactSolutionPtr& exact, Snapshots& snapsh
   }
 }
 
-double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto of = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return of(usage.ru_utime) + of(usage.ru_stime);
-}
-
-std::int64_t peak_memory() {
-  // A program that was started by exec() inherits the peak of getrusage() from the process that started it.
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    long long kibibytes = 0;
-    if (std::sscanf(line.c_str(), "VmHWM: %lld kB", &kibibytes) == 1) return kibibytes * std::int64_t{1024};
-  }
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss * std::int64_t{1024};
-}
+template void simulate(ProblemIn<2>&, const ExactSolutionPtr&, Snapshots<2>&, Progress&, Result&);
+template void simulate(ProblemIn<3>&, const ExactSolutionPtr&, Snapshots<3>&, Progress&, Result&);
 
 }  // namespace assay::drivers

@@ -17,11 +17,12 @@ struct Observations {
   std::set<std::int64_t> shots;     ///< snapshots for VTU files and pictures
   std::set<std::int64_t> accounts;  ///< of momentum and energy
 };
-Observations observations_of(const Problem& problem);
+Observations observations_of(const PosedScene& problem);
 
 /// Runs the problem to its end, or to the finding that stops it, and fills in the result's outcome, time, errors,
 /// profile, work and drift. Throws Interrupted when a signal came.
-void simulate(Problem& problem, const ExactSolutionPtr& exact, Snapshots& snapshots, Progress& progress,
+template <int Dim>
+void simulate(ProblemIn<Dim>& problem, const ExactSolutionPtr& exact, Snapshots<Dim>& snapshots, Progress& progress,
               Result& result);
 
 /// CPU time of this process [s] and its peak resident memory [bytes].
@@ -32,11 +33,12 @@ std::int64_t peak_memory();
 
 /// Whether it is that of section 3 of the paper, on whatever grid. The paper names no density there, and takes
 /// 1000 kg/m^3 in section 2.
-bool is_table_1(const Problem& problem);
+bool is_table_1(const PosedScene& problem);
 
 /// Runs the scene again under tractions by every algorithm on grids of 4h, 2h and h, of which those are left out that
 /// do not have the body's corners for nodes. `own`: the result of the scene itself, which is not run twice. Each takes
 /// the form that the scene gives, else the stable one. Nothing is written to the folder. Throws Interrupted.
-TractionTable traction_table(const Problem& problem, const Result& own, OutputFolder& folder, bool quiet);
+template <int Dim>
+TractionTable traction_table(const ProblemIn<Dim>& problem, const Result& own, OutputFolder& folder, bool quiet);
 
 }  // namespace assay::drivers

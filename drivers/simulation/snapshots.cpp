@@ -10,6 +10,7 @@
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/text/numbers.hpp"
+#include "harness/motion/kinds/vortex3d.hpp"
 #include "mpm/seeding/gauss_lattice.hpp"
 
 namespace assay::drivers {
@@ -18,56 +19,19 @@ namespace {
 
 using mpm::Column;
 
-/// Where component c of a column begins.
-using ColumnView = std::function<const double*(Column, int)>;
-
-/// Rearranges a column for VTK. The components of a particle stand side by side, and vectors and tensors have three
-/// dimensions. A tensor in the plane brings its component 33 with it; if it has none, 33 is 1.
-std::vector<double> interleaved(const ColumnView& of, std::size_t particles, const ShownColumn& shown) {
-  constexpr std::size_t in_vector[] = {0, 1}, in_tensor[] = {0, 1, 3, 4, 8};
-  const bool is_tensor = shown.components >= mpm::tensor_components<2>;
-  const auto width = static_cast<std::size_t>(shown.width());
-  std::vector<double> values(width * particles, 0.0);
-  for (int c = 0; c < shown.components; ++c) {
-    const double* from = of(shown.column, c);
-    const std::size_t at = (is_tensor ? in_tensor : in_vector)[c];
-    for (std::size_t p = 0; p < particles; ++p) values[width * p + at] = from[p];
-  }
-  const bool has_33 = !is_tensor || shown.components > mpm::tensor_components<2>;
-  for (std::size_t p = 0; !has_33 && p < particles; ++p) values[width * p + 8] = 1;  // plane strain
-  return values;
-}
-
-std::string particles_vtu(const std::vector<ShownColumn>& shown, const ColumnView& of, std::size_t particles,
-                          const std::vector<VtuArray>& more, double t, const std::optional<double>& velocity_t = {}) {
-  std::vector<std::int64_t> id(particles);
-  for (std::size_t p = 0; p < particles; ++p) id[p] = static_cast<std::int64_t>(p);
-  std::vector<std::vector<double>> values;
-  for (const ShownColumn& one : shown) values.push_back(interleaved(of, particles, one));
-  const std::vector<double>& position = values[1];
-  std::vector<double> displacement(position);
-  for (std::size_t k = 0; k < displacement.size(); ++k) displacement[k] -= values[0][k];
-  std::vector<VtuArray> arrays{{"id", 1, std::span<const std::int64_t>(id)},
-                               {"reference_position", 3, std::span<const double>(values[0])},
-                               {"displacement", 3, std::span<const double>(displacement)}};
-  for (std::size_t k = 2; k < shown.size(); ++k) {
-    const std::string name(mpm::info(shown[k].column).name);
-    arrays.push_back({name, shown[k].width(), std::span<const double>(values[k])});
-  }
-  arrays.insert(arrays.end(), more.begin(), more.end());
-  return vtu_text(position, arrays, t, velocity_t);
-}
+/// Whether the measure of its particles is their shear, else their volume.
+bool shows_shear(const Motion& motion) { return is_vortex(motion) || motion.as<Vortex3d>(); }
 
 /// What a comparison with the exact motion adds.
-std::vector<VtuArray> compared_arrays(const Problem& problem, const std::vector<double>& error,
+std::vector<VtuArray> compared_arrays(const PosedScene& problem, const std::vector<double>& error,
                                       const std::vector<double>& measure) {
-  const bool vortex = is_vortex(problem.scene.motion);
+  const bool vortex = shows_shear(problem.scene.motion);
   return {{"displacement_error", 1, std::span<const double>(error)},
           {vortex ? "shear" : "jacobian", 1, std::span<const double>(measure)}};
 }
 
 /// What pictures show: the ring with a margin; of a body whose outside moves all of it, on all of its way [m].
-Box picture_box(const Problem& problem) {
+Box picture_box(const PosedScene& problem) {
   const Scene& scene = problem.scene;
   if (!ring_of(scene.motion)) {
     Box box = swept_box(scene);
@@ -88,16 +52,21 @@ Box picture_box(const Problem& problem) {
 
 }  // namespace
 
-Snapshots::Snapshots(const Problem& problem, OutputFolder& folder) : problem_(&problem), folder_(&folder) {
-  const mpm::Setup<2>& setup = problem.setup;
-  shown_ = {{Column::reference_position, 2}, {Column::position, 2}};
+template <int Dim>
+Snapshots<Dim>::Snapshots(const ProblemIn<Dim>& problem, OutputFolder& folder) : problem_(&problem), folder_(&folder) {
+  const mpm::Setup<Dim>& setup = problem.setup;
+  if constexpr (Dim == 3) {
+    if (problem.scene.output.pictures && problem.compared) space_.emplace(problem);
+  }
+  shown_ = {{Column::reference_position, Dim}, {Column::position, Dim}};
   for (const auto& use : mpm::columns_of(mpm::compose(setup), setup)) {
     if (mpm::info(use.column).roles & mpm::in_snapshots)
       shown_.push_back({use.column, static_cast<int>(use.bytes / sizeof(double))});
   }
 }
 
-void Snapshots::keep_good(const mpm::State<2>& s, double t) {
+template <int Dim>
+void Snapshots<Dim>::keep_good(const mpm::State<Dim>& s, double t) {
   good_t_ = t;
   good_particles_ = s.particles;
   good_.clear();  // keeps its memory
@@ -107,7 +76,8 @@ void Snapshots::keep_good(const mpm::State<2>& s, double t) {
   }
 }
 
-std::string Snapshots::leave_last_good(const ExactSolutionPtr& exact) const {
+template <int Dim>
+std::string Snapshots<Dim>::leave_last_good(const ExactSolutionPtr& exact) const {
   const std::size_t n = good_particles_;
   const auto of = [&](Column which, int component) {
     auto before = static_cast<std::size_t>(component);
@@ -119,54 +89,66 @@ std::string Snapshots::leave_last_good(const ExactSolutionPtr& exact) const {
   std::vector<VtuArray> compared;
   if (exact && n > 0) {
     const auto X = [&](int d) { return std::span(of(Column::reference_position, d), n); };
-    const auto field = as_seen(problem_->scene, exact)->instant({X(0), X(1)}, {.motion = true});
+    const ExactSolutionPtr seen = as_seen(problem_->scene, exact);
+    std::unique_ptr<InstantOf<Dim>> field;
+    if constexpr (Dim == 2) field = seen->instant({X(0), X(1)}, {.motion = true});
+    if constexpr (Dim == 3)
+      field = std::make_unique<SpaceInstant>(seen, SpaceInstant::Points{X(0), X(1), X(2)}, Asked{.motion = true});
     field->set_time(good_t_);
+    const auto& here = field->window(0, n);
     for (std::size_t p = 0; p < n; ++p) {
-      const std::array<double, 2> x = field->state(p).x;
-      error[p] = std::hypot(of(Column::position, 0)[p] - x[0], of(Column::position, 1)[p] - x[1]);
-      std::array<double, 4> F{};
-      for (int c = 0; c < 4; ++c) F[static_cast<std::size_t>(c)] = of(Column::deformation_gradient, c)[p];
-      measure[p] = field->measure(p, F);
+      const std::array<double, Dim> x = here.state(p).x;
+      std::array<double, Dim * Dim> F{};
+      for (int c = 0; c < Dim * Dim; ++c) F[static_cast<std::size_t>(c)] = of(Column::deformation_gradient, c)[p];
+      const auto off = [&](int d) { return of(Column::position, d)[p] - x[static_cast<std::size_t>(d)]; };
+      if constexpr (Dim == 2) error[p] = std::hypot(off(0), off(1));
+      if constexpr (Dim == 3) error[p] = std::hypot(off(0), off(1), off(2));
+      measure[p] = here.measure(p, F);
     }
     compared = compared_arrays(*problem_, error, measure);
   }
   std::string name = "last_good.vtu";
-  folder_->write(name, particles_vtu(shown_, of, n, compared, good_t_));
+  folder_->write(name, particles_vtu<Dim>(shown_, of, n, compared, good_t_));
   return name;
 }
 
-void Snapshots::write_vtu(const mpm::State<2>& s, const ErrorSampler* sampler, double t, double velocity_t) {
+template <int Dim>
+void Snapshots<Dim>::write_vtu(const mpm::State<Dim>& s, const ErrorSampler<Dim>* sampler, double t,
+                               double velocity_t) {
   std::vector<VtuArray> more;
   if (sampler) more = compared_arrays(*problem_, sampler->displacement_error(), sampler->measure());
   const auto of = [&s](Column which, int component) { return s.column(which, component); };
   const std::string name = particles_name(static_cast<int>(entries_.size()));
-  folder_->write(name, particles_vtu(shown_, of, s.particles, more, t, velocity_t));
+  folder_->write(name, particles_vtu<Dim>(shown_, of, s.particles, more, t, velocity_t));
   entries_.push_back({t, name});
 }
 
-ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
+namespace {
+
+/// The particles of a body in the plane, as their domains are.
+ParticleFrame plane_frame(const Problem& problem, const mpm::State<2>& s, double t) {
   ParticleFrame frame;
   frame.caption = "t = " + rounded_text(t, 4) + " s";
-  const mpm::Seeds<2>& seeds = problem_->setup.seeds;
+  const mpm::Seeds<2>& seeds = problem.setup.seeds;
   // F is that of the edges, or of the diagonals
-  const bool convects = mpm::traits_of<2>(problem_->setup.method.basis).convects;
+  const bool convects = mpm::traits_of<2>(problem.setup.method.basis).convects;
   const double *x = s.column(Column::position, 0), *y = s.column(Column::position, 1);
   frame.x.assign(x, x + s.particles);
   frame.y.assign(y, y + s.particles);
-  if (const auto& seen = problem_->scene.frame) {  // pictures follow the body's centre
+  if (const auto& seen = problem.scene.frame) {  // pictures follow the body's centre
     for (double& at : frame.x) at -= seen->velocity.x() * t;
     for (double& at : frame.y) at -= seen->velocity.y() * t;
   }
-  std::optional<mpm::GaussCells> gauss;
-  const Scene& scene = problem_->scene;
-  if (scene.body.lattice == Body::Lattice::gauss) gauss.emplace(scene.grid->spacing, scene.body.per_cell);
+  std::optional<mpm::GaussCells<2>> gauss;
+  const Scene& scene = problem.scene;
+  if (scene.body.lattice == Body::Lattice::gauss) gauss.emplace(scene.grid->spacing, scene.body.per_cell.in<2>());
   for (auto* edge : {&frame.r1x, &frame.r1y, &frame.r2x, &frame.r2y}) edge->resize(s.particles);
   for (std::size_t p = 0; p < s.particles; ++p) {
     std::array<double, 4> H{seeds.half_size[0], 0, 0, seeds.half_size[1]};
     if (!seeds.half_edges.empty()) H = seeds.half_edges[p];
     if (gauss) {  // the part of its cell that its weight stands for is not around it
       const std::array<double, 2> X = s.at<2>(Column::reference_position, p);
-      const Rectangle r = gauss->rectangle_around(X);
+      const Rectangle r = gauss->box_around(X);
       H = {0.5 * (r.upper[0] - r.lower[0]), 0, 0, 0.5 * (r.upper[1] - r.lower[1])};
       frame.x[p] += 0.5 * (r.lower[0] + r.upper[0]) - X[0];
       frame.y[p] += 0.5 * (r.lower[1] + r.upper[1]) - X[1];
@@ -181,18 +163,45 @@ ParticleFrame Snapshots::frame_of(const mpm::State<2>& s, double t) const {
   return frame;
 }
 
-void Snapshots::add(const mpm::State<2>& state, const ErrorSampler* sampler, double t, double velocity_t) {
+}  // namespace
+
+template <int Dim>
+typename Snapshots<Dim>::Frame Snapshots<Dim>::frame_of(const mpm::State<Dim>& s, const ErrorSampler<Dim>& sampler,
+                                                        double t) const {
+  const std::vector<double>&error = sampler.displacement_error(), &measure = sampler.measure();
+  Frame frame{t, {}, 0, 0};
+  const double at_rest = shows_shear(problem_->scene.motion) ? 0 : 1;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    const auto size = [](double value) { return std::isfinite(value) ? std::abs(value) : 0; };
+    frame.largest_error = std::max(frame.largest_error, size(error[p]));
+    frame.farthest_measure = std::max(frame.farthest_measure, size(measure[p] - at_rest));
+  }
+  if constexpr (Dim == 2) {
+    frame.drawn.push_back({plane_frame(*problem_, s, t), error, measure});
+  } else {
+    for (SpaceShapes shapes : {space_->cut(s, t), space_->view(s, t)}) {
+      Drawn drawn{std::move(shapes.frame), {}, {}};
+      for (const std::uint32_t p : shapes.particles)
+        drawn.error.push_back(error[p]), drawn.measure.push_back(measure[p]);
+      frame.drawn.push_back(std::move(drawn));
+    }
+  }
+  return frame;
+}
+
+template <int Dim>
+void Snapshots<Dim>::add(const mpm::State<Dim>& state, const ErrorSampler<Dim>* sampler, double t, double velocity_t) {
   if (problem_->scene.output.writes_particles()) write_vtu(state, sampler, t, velocity_t);
-  if (!problem_->scene.output.pictures || !sampler) return;
-  show({t, frame_of(state, t), sampler->displacement_error(), sampler->measure()});
+  if (problem_->scene.output.pictures && sampler) show(frame_of(state, *sampler, t));
 }
 
-void Snapshots::remember(const mpm::State<2>& state, const ErrorSampler& sampler, double t) {
-  if (!problem_->scene.output.pictures) return;
-  latest_ = {t, frame_of(state, t), sampler.displacement_error(), sampler.measure()};
+template <int Dim>
+void Snapshots<Dim>::remember(const mpm::State<Dim>& state, const ErrorSampler<Dim>& sampler, double t) {
+  if (problem_->scene.output.pictures) latest_ = frame_of(state, sampler, t);
 }
 
-void Snapshots::show(Frame frame) {
+template <int Dim>
+void Snapshots<Dim>::show(Frame frame) {
   const double t = frame.t, half = 0.5 * problem_->period();
   const bool nearer = !frames_.empty() && std::abs(t - half) < std::abs(frames_.front().t - half);
   if (nearer) frames_.clear();
@@ -200,54 +209,74 @@ void Snapshots::show(Frame frame) {
   frames_.push_back(std::move(frame));
 }
 
-std::vector<Snapshots::Written> Snapshots::finish() {
-  if (!entries_.empty()) folder_->write("particles.pvd", pvd_text(entries_));
-  std::vector<Written> written;
-  if (frames_.empty()) return written;
-  if (!latest_.shape.x.empty() && latest_.t > frames_.back().t) show(std::move(latest_));
-  ParticlePicture picture;
-  const Motion& motion = problem_->scene.motion;
-  const Box box = picture_box(*problem_);
-  if (const auto ring = ring_of(motion)) picture.rings = {ring->inner, ring->outer};
-  picture.lower = box.lower;
-  picture.upper = box.upper;
-  const auto add = [&](const std::string& name, const std::string& label, std::vector<double> Frame::*values,
+template <int Dim>
+void Snapshots<Dim>::draw(std::size_t way, const std::string& prefix, ParticlePicture picture, const std::string& seen,
+                          std::vector<Written>& written) {
+  const auto add = [&](const std::string& name, const std::string& label, std::vector<double> Drawn::*values,
                        const std::string& caption) {
     picture.value_label = label;
     picture.frames.clear();
     for (const Frame& frame : frames_) {
-      picture.frames.push_back(frame.shape);
-      picture.frames.back().value = frame.*values;
+      picture.frames.push_back(frame.drawn[way].shape);
+      picture.frames.back().value = frame.drawn[way].*values;
     }
-    written.push_back({name, caption, png(picture)});
-    folder_->write(name, written.back().png);
+    written.push_back({prefix + name, seen + caption, png(picture)});
+    folder_->write(written.back().name, written.back().png);
   };
-  const auto farthest = [&](std::vector<double> Frame::*values, double from) {
-    double most = 0;
-    for (const Frame& frame : frames_) {
-      for (const double value : frame.*values) most = std::max(most, std::isfinite(value) ? std::abs(value - from) : 0);
-    }
-    return most;
-  };
+  double largest_error = 0, farthest_measure = 0;
+  for (const Frame& frame : frames_) {
+    largest_error = std::max(largest_error, frame.largest_error);
+    farthest_measure = std::max(farthest_measure, frame.farthest_measure);
+  }
   constexpr double rounding = 1e-9;  // of the range of colours: what is less is noise, and is not painted
-  const double size = std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
+  const double size = std::max(picture.upper[0] - picture.lower[0], picture.upper[1] - picture.lower[1]);
   picture.title = "Error of the displacement";
-  picture.range = {0, std::max(farthest(&Frame::error, 0), rounding * size)};
-  add("error.png", "|u − u_{exact}| [m]", &Frame::error,
+  picture.range = {0, std::max(largest_error, rounding * size)};
+  add("error.png", "|u − u_{exact}| [m]", &Drawn::error,
       "Yellow particles are farthest from their exact positions. All moments have one scale.");
   picture.map = ColorMap::diverging;
-  const bool vortex = is_vortex(motion);
-  const double middle = vortex ? 0 : 1, most = std::max(farthest(&Frame::measure, middle), rounding);
+  const bool vortex = shows_shear(problem_->scene.motion);
+  const double middle = vortex ? 0 : 1, most = std::max(farthest_measure, rounding);
   picture.title = vortex ? "Shear of the particles" : "Volume of the particles";
   picture.range = {middle - most, middle + most};
   if (vortex) {
-    add("shear.png", "γ = 2ε [1]", &Frame::measure,
-        "In the exact motion all particles of one radius have one colour. White particles are not sheared.");
+    add("shear.png", "γ = 2ε [1]", &Drawn::measure,
+        std::string("In the exact motion all particles of one radius have one colour") +
+            (Dim == 3 ? " in the cut across the axis" : "") + ". White particles are not sheared.");
   } else {
-    add("jacobian.png", "J = det F [1]", &Frame::measure,
+    add("jacobian.png", "J = det F [1]", &Drawn::measure,
         "White particles have their initial volume. Red ones are larger, blue ones smaller.");
+  }
+}
+
+template <int Dim>
+std::vector<typename Snapshots<Dim>::Written> Snapshots<Dim>::finish() {
+  if (!entries_.empty()) folder_->write("particles.pvd", pvd_text(entries_));
+  std::vector<Written> written;
+  if (frames_.empty()) return written;
+  if (!latest_.drawn.empty() && latest_.t > frames_.back().t) show(std::move(latest_));
+  ParticlePicture picture;
+  if constexpr (Dim == 2) {
+    const Box box = picture_box(*problem_);
+    if (const auto ring = ring_of(problem_->scene.motion)) picture.rings = {ring->inner, ring->outer};
+    picture.lower = box.lower, picture.upper = box.upper;
+    draw(0, "", picture, "", written);
+  } else {
+    constexpr double margin = 1.08;
+    const double reach = margin * space_->reach();
+    picture.lower.fill(-reach), picture.upper.fill(reach);
+    const auto labels = space_->labels();
+    picture.x_label = labels[0], picture.y_label = labels[1];
+    draw(0, "cut_", picture, "A cut through the middle of the body. ", written);
+    const double wide = 1.25 * reach;  // a box seen over its corner
+    picture.lower.fill(-wide), picture.upper.fill(wide);
+    picture.x_label = picture.y_label = "";
+    draw(1, "view_", picture, "The body from aside. A quarter is left out, so that the inside is seen. ", written);
   }
   return written;
 }
+
+template class Snapshots<2>;
+template class Snapshots<3>;
 
 }  // namespace assay::drivers

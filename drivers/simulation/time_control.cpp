@@ -19,19 +19,24 @@ constexpr std::int64_t steps_between_looks = 16;  ///< steps between two looks
 constexpr double shortest = 1e-4;                 ///< of the planned step: what needs shorter ones has gone wrong
 constexpr std::int64_t calls_of_probe = 19;       ///< of a tangent modulus by central differences
 
-/// With component 33, and none else out of the plane.
-Tensor in_plane(const std::array<double, 4>& A, double A33) {
+/// In the plane with component 33, and none else out of it.
+template <int Dim>
+Tensor tensor_of(const mpm::State<Dim>& s, Column column, std::size_t p, double A33) {
+  const auto A = s.template at<Dim * Dim>(column, p);
+  if constexpr (Dim == 3) return assay::tensor_of(A.data());
   Tensor out;
   out << A[0], A[1], 0, A[2], A[3], 0, 0, 0, A33;
   return out;
 }
 
-Tensor deformation_of(const mpm::State<2>& s, std::size_t p) {
-  return in_plane(s.at<4>(Column::deformation_gradient, p), 1);
+template <int Dim>
+Tensor deformation_of(const mpm::State<Dim>& s, std::size_t p) {
+  return tensor_of(s, Column::deformation_gradient, p, 1);
 }
 
 /// Where waves are likely to be fastest: the most stretched particle, the most compressed, the most expanded.
-std::array<std::size_t, 3> extremes_of(const mpm::State<2>& s) {
+template <int Dim>
+std::array<std::size_t, 3> extremes_of(const mpm::State<Dim>& s) {
   std::array<std::size_t, 3> found{};
   double longest = -1, least = INFINITY, most = -INFINITY;
   for (std::size_t p = 0; p < s.particles; ++p) {
@@ -44,24 +49,30 @@ std::array<std::size_t, 3> extremes_of(const mpm::State<2>& s) {
   return found;
 }
 
-double fastest_particle_of(const mpm::State<2>& s) {
-  double square = 0;
-  const double *u = s.column(Column::velocity, 0), *v = s.column(Column::velocity, 1);
-  for (std::size_t p = 0; p < s.particles; ++p) square = std::max(square, u[p] * u[p] + v[p] * v[p]);
-  return std::sqrt(square);
+template <int Dim>
+double fastest_particle_of(const mpm::State<Dim>& s) {
+  double largest = 0;
+  for (std::size_t p = 0; p < s.particles; ++p) {
+    double square = 0;
+    for (const double v : s.template at<Dim>(Column::velocity, p)) square += v * v;
+    largest = std::max(largest, square);
+  }
+  return std::sqrt(largest);
 }
 
 /// State at the begin of the step from a block's first particle on; null of a material without.
-const double* history_at(const mpm::State<2>& s, std::size_t begin, std::size_t state_size) {
-  const auto* history = s.find<mpm::MaterialHistory>();
+template <int Dim>
+const double* history_at(const mpm::State<Dim>& s, std::size_t begin, std::size_t state_size) {
+  const auto* history = s.template find<mpm::MaterialHistory>();
   return history ? history->begin.data() + begin * state_size : nullptr;
 }
 
 /// -tr D, of the particle that shrinks the fastest [1/s].
-double fastest_shrinking_of(const mpm::State<2>& s) {
+template <int Dim>
+double fastest_shrinking_of(const mpm::State<Dim>& s) {
   double fastest = 0;
   for (std::size_t p = 0; p < s.particles; ++p) {
-    Tensor L = in_plane(s.at<4>(Column::velocity_gradient, p), 0);
+    Tensor L = tensor_of(s, Column::velocity_gradient, p, 0);
     if (s.method.is_total()) L *= deformation_of(s, p).inverse();
     fastest = std::max(fastest, -L.trace());
   }
@@ -70,12 +81,14 @@ double fastest_shrinking_of(const mpm::State<2>& s) {
 
 }  // namespace
 
-TimeControl::TimeControl(const Problem& problem, const mpm::State<2>& state)
+template <int Dim>
+TimeControl<Dim>::TimeControl(const ProblemIn<Dim>& problem, const mpm::State<Dim>& state)
     : problem_(&problem), material_(problem.material->clone()) {
   look(state, 0);
 }
 
-std::vector<double> TimeControl::state_of(const mpm::State<2>& s, std::size_t p) const {
+template <int Dim>
+std::vector<double> TimeControl<Dim>::state_of(const mpm::State<Dim>& s, std::size_t p) const {
   const std::size_t size = material_.state_size(), begin = p / mpm::block_size * mpm::block_size;
   const std::size_t n = std::min(mpm::block_size, s.particles - begin);
   std::vector<double> values(size);
@@ -86,21 +99,27 @@ std::vector<double> TimeControl::state_of(const mpm::State<2>& s, std::size_t p)
 
 /// assay.wave_speed/1 at all particles; 0 of a material without, where it gives what is no speed, and in the total
 /// formulation, whose waves it does not know.
-double TimeControl::own_speed(const mpm::State<2>& s) const {
+template <int Dim>
+double TimeControl<Dim>::own_speed(const mpm::State<Dim>& s) const {
   const Offer<assay_wave_speed> offer(material_);
   if (!offer || problem_->setup.method.is_total()) return 0;
   std::vector<double> F(9 * mpm::block_size), stress(F.size()), speed(mpm::block_size);
   double fastest = 0;
   for (std::size_t begin = 0; begin < s.particles; begin += mpm::block_size) {
     const std::size_t n = std::min(mpm::block_size, s.particles - begin);
-    constexpr int rows[] = {0, 1, 3, 4, 8};
     std::fill(F.begin(), F.end(), 0.0);
     std::fill(stress.begin(), stress.end(), 0.0);
-    for (int c = 0; c < 5; ++c) {
-      for (std::size_t k = 0; k < n; ++k) {
-        const std::size_t at = static_cast<std::size_t>(rows[c]) * n + k;
-        F[at] = c < 4 ? s.column(Column::deformation_gradient, c)[begin + k] : 1;
-        stress[at] = s.column(Column::stress, c)[begin + k];
+    const auto row = [n](int i, int j) { return static_cast<std::size_t>(3 * i + j) * n; };
+    if (Dim == 2) {
+      std::fill_n(F.begin() + static_cast<std::ptrdiff_t>(row(2, 2)), n, 1.0);
+      std::copy_n(s.column(Column::stress, 4) + begin, n, stress.begin() + static_cast<std::ptrdiff_t>(row(2, 2)));
+    }
+    for (int i = 0; i < Dim; ++i) {
+      for (int j = 0; j < Dim; ++j) {
+        const auto to = static_cast<std::ptrdiff_t>(row(i, j));
+        const auto of = mpm::stress_index<Dim>(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+        std::copy_n(s.column(Column::deformation_gradient, Dim * i + j) + begin, n, F.begin() + to);
+        std::copy_n(s.column(Column::stress, of) + begin, n, stress.begin() + to);
       }
     }
     const double* state = history_at(s, begin, material_.state_size());
@@ -113,7 +132,8 @@ double TimeControl::own_speed(const mpm::State<2>& s) const {
   return fastest;
 }
 
-double TimeControl::probed_speed(const mpm::State<2>& s, double t) {
+template <int Dim>
+double TimeControl<Dim>::probed_speed(const mpm::State<Dim>& s, double t) {
   double fastest = 0;
   const bool total = problem_->setup.method.is_total();
   for (const std::size_t p : extremes_of(s)) {
@@ -129,7 +149,8 @@ double TimeControl::probed_speed(const mpm::State<2>& s, double t) {
   return fastest;
 }
 
-void TimeControl::look(const mpm::State<2>& s, double t) {
+template <int Dim>
+void TimeControl<Dim>::look(const mpm::State<Dim>& s, double t) {
   reference_ = 0;
   wave_ = own_speed(s);
   if (!(wave_ > 0)) wave_ = probed_speed(s, t);
@@ -143,7 +164,8 @@ void TimeControl::look(const mpm::State<2>& s, double t) {
   stuck_ = !(longest_ > shortest * problem_->dt);
 }
 
-double TimeControl::next(const mpm::State<2>& s, double t) {
+template <int Dim>
+double TimeControl<Dim>::next(const mpm::State<Dim>& s, double t) {
   if (steps_++ % steps_between_looks == 0) look(s, t);
   const double end = problem_->scene.time.end, half = 0.5 * problem_->period();
   constexpr double rounding = 1e-9;  // of T/2: a time this close to a multiple is there
@@ -151,5 +173,8 @@ double TimeControl::next(const mpm::State<2>& s, double t) {
   const double pieces = std::ceil((mark - t) / longest_ * (1 - rounding));
   return pieces <= 1 ? mark : t + (mark - t) / pieces;
 }
+
+template class TimeControl<2>;
+template class TimeControl<3>;
 
 }  // namespace assay::drivers

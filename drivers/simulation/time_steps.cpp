@@ -9,6 +9,7 @@
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene.hpp"
 #include "drivers/text/numbers.hpp"
+#include "harness/motion/kinds/vortex3d.hpp"
 #include "harness/stability/wave_speed.hpp"
 
 namespace assay::drivers {
@@ -20,6 +21,20 @@ constexpr int speed_samples = 400;
 constexpr double most_steps = 1e15;   ///< beyond, step times would not be told apart
 constexpr double whole_steps = 1e-9;  ///< a number of steps this close to a whole one [relative] is that one
 
+std::vector<Vector3> places_in_space(const Scene& scene) {
+  constexpr int across = 16;
+  const BoxOf<3> box = body_box<3>(scene);
+  const int pieces = scene.motion->is_homogeneous() ? 1 : across;
+  const Vector3 lower(box.lower.data()), width = Vector3(box.upper.data()) - lower;
+  std::vector<Vector3> places;
+  for (int i = 0; i <= pieces; ++i) {
+    for (int j = 0; j <= pieces; ++j) {
+      for (int k = 0; k <= pieces; ++k) places.push_back(lower + width.cwiseProduct(Vector3(i, j, k)) / pieces);
+    }
+  }
+  return places;
+}
+
 /// Where a motion is looked at to find its fastest point: the corners where F is the same everywhere, radii of a polar
 /// motion, a lattice of the box.
 std::vector<Vector3> places_of(const Scene& scene) {
@@ -29,6 +44,7 @@ std::vector<Vector3> places_of(const Scene& scene) {
     for (int k = 0; k <= radii; ++k) places.emplace_back(ring->inner + (ring->outer - ring->inner) * k / radii, 0, 0);
     return places;
   }
+  if (scene.dimension == 3) return places_in_space(scene);
   const Box box = body_box(scene);
   const int pieces = scene.motion->is_homogeneous() ? 1 : across;
   for (int i = 0; i <= pieces; ++i) {
@@ -49,6 +65,26 @@ double fastest_of_vortex(const PolarMotion& vortex, double end) {
     const double R = ring.inner + s * (ring.outer - ring.inner);
     profile = std::max(profile, R * vortex.profile(R).h);
     rate = std::max(rate, std::abs(vortex.turn().at(s * std::min(end, vortex.turn().period)).rate));
+  }
+  return profile * rate;
+}
+
+/// The same of vortices in space, where rho h is largest in a meridian plane.
+double fastest_of_vortex(const Vortex3d& motion, double end) {
+  constexpr int along_samples = 100;
+  double profile = 0, rate = 0;
+  for (const Revolution& vortex : motion.all()) {
+    const auto [across, along] = vortex.reach();
+    for (int i = 0; i <= speed_samples; ++i) {
+      for (int k = 0; k <= along_samples; ++k) {
+        const double R = across * i / speed_samples;
+        if (const auto at = vortex.at(R, along * k / along_samples)) profile = std::max(profile, R * std::abs(at->h));
+      }
+    }
+  }
+  for (int k = 0; k <= speed_samples; ++k) {
+    const double t = std::min(end, motion.amplitude.period) * k / speed_samples;
+    rate = std::max(rate, std::abs(motion.amplitude.at(t).rate));
   }
   return profile * rate;
 }
@@ -76,15 +112,18 @@ double largest_of_motion(const Scene& scene, const auto& of) {
 }
 
 /// What a frame adds to it: its spin at the farthest particle, and its velocity.
-double fastest_of_frame(const Frame& frame, const mpm::Seeds<2>& seeds) {
+template <int Dim>
+double fastest_of_frame(const Frame& frame, const mpm::Seeds<Dim>& seeds) {
   double farthest = 0;
-  for (std::size_t p = 0; p < seeds.size(); ++p)
-    farthest = std::max(farthest, std::hypot(seeds.X[0][p], seeds.X[1][p]));
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    if constexpr (Dim == 2) farthest = std::max(farthest, std::hypot(seeds.X[0][p], seeds.X[1][p]));
+    if constexpr (Dim == 3) farthest = std::max(farthest, std::hypot(seeds.X[0][p], seeds.X[1][p], seeds.X[2][p]));
+  }
   return std::abs(frame.spin) * farthest + frame.velocity.norm();
 }
 
 /// Equal steps that also meet T/2 where the end is a multiple of it: the error is asked for there.
-double steps_by_courant(const Problem& problem) {
+double steps_by_courant(const PosedScene& problem) {
   const double end = problem.scene.time.end;
   const double longest = problem.scene.method->courant * problem.scene.grid->spacing / fastest_signal(problem);
   const double halves = end / (0.5 * problem.period());
@@ -98,19 +137,20 @@ double steps_by_courant(const Problem& problem) {
 double fastest_of_motion(const Scene& scene) {
   if (scene.body.initial_velocity) return fastest_of(*scene.body.initial_velocity, body_box(scene));
   if (is_vortex(scene.motion)) return fastest_of_vortex(*scene.motion->polar(), scene.time.end);
+  if (const auto* vortex = scene.motion.as<Vortex3d>()) return fastest_of_vortex(*vortex, scene.time.end);
   return largest_of_motion(scene, [](const ExactState& state) { return state.v.norm(); });
 }
 
 namespace {
 
 /// By which particles are fastest.
-const char* key_of_speed(const Problem& problem) {
+const char* key_of_speed(const PosedScene& problem) {
   const double own = fastest_of_motion(problem.scene);
   return problem.scene.frame && problem.particle_speed - own > own ? "frame" : "motion";
 }
 
 /// Of all that the number of steps follows from what is farthest from the usual.
-std::string key_of_steps(const Problem& problem) {
+std::string key_of_steps(const PosedScene& problem) {
   const Scene& scene = problem.scene;
   if (const auto fixed = scene.time.fixed_step()) return fixed->key;
   constexpr double usual_speed = 1e4, usual_end = 10, usual_spacing = 1e-3, usual_courant = 0.01;  // m/s, s, m
@@ -133,21 +173,22 @@ double fastest_shrinking(const Scene& scene) {
   return largest_of_motion(scene, [](const ExactState& state) { return -(state.F_rate * state.F.inverse()).trace(); });
 }
 
-double viscous_shortening(const Problem& problem, double wave, double shrinking) {
-  const auto& viscosity = mpm::option<mpm::ArtificialViscosity>(problem.setup);
+double viscous_shortening(const PosedScene& problem, double wave, double shrinking) {
+  const auto& viscosity = problem.scene.effects.of<mpm::ArtificialViscosity>();
   if (!viscosity.acts() || !(wave > 0)) return 1;
-  const double Q = viscosity.C[0] * problem.setup.wave_speed + viscosity.C[1] * problem.scene.grid->spacing * shrinking;
+  const double Q = viscosity.C[0] * problem.wave_speed + viscosity.C[1] * problem.scene.grid->spacing * shrinking;
   return (Q + std::hypot(Q, wave)) / wave;
 }
 
-double fastest_signal(const Problem& problem) {
+double fastest_signal(const PosedScene& problem) {
   return std::max(problem.viscous_shortening * problem.wave_speed + problem.particle_speed,
                   problem.viscous_shortening * problem.reference_wave_speed);
 }
 
-void find_speeds(Problem& problem) {
+template <int Dim>
+void find_speeds(ProblemIn<Dim>& problem) {
   const Scene& scene = problem.scene;
-  mpm::Setup<2>& setup = problem.setup;
+  mpm::Setup<Dim>& setup = problem.setup;
   const double watched = std::min(scene.time.end, wave_periods * problem.period());
   for (const Path& path : baseline_paths(scene)) {
     const auto fastest = [&](WaveFrame in) {
@@ -165,7 +206,7 @@ void find_speeds(Problem& problem) {
   problem.particle_speed = scene.frame ? own + fastest_of_frame(*scene.frame, setup.seeds) : own;
 }
 
-void plan_steps(Problem& problem) {
+void plan_steps(PosedScene& problem) {
   const Scene& scene = problem.scene;
   const auto fixed = scene.time.fixed_step();
   if (fixed && fixed->dt > scene.time.end)  // an end that the motion's speed gives is known by now
@@ -187,5 +228,8 @@ void plan_steps(Problem& problem) {
   problem.steps = static_cast<std::int64_t>(steps);
   problem.dt = fixed ? fixed->dt : scene.time.end / steps;
 }
+
+template void find_speeds(ProblemIn<2>&);
+template void find_speeds(ProblemIn<3>&);
 
 }  // namespace assay::drivers

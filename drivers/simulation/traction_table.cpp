@@ -23,11 +23,11 @@ constexpr TractionAlgorithm compared_algorithms[] = {TractionAlgorithm::undeform
 
 /// Whether the body consists of whole cells of a grid of this spacing; a ring's faces cut those of any.
 bool divides_body(const Scene& scene, double spacing) {
-  if (scene.body.domain == Body::Domain::ring) return true;
+  if (scene.body.is_vortex_alone()) return true;
   constexpr double rounding = 1e-9;  // of a cell
   for (const auto& corner : {scene.body.lower, scene.body.upper}) {
-    for (const double x : corner) {
-      if (std::abs(x / spacing - std::round(x / spacing)) > rounding) return false;
+    for (std::size_t d = 0; d < corner.size(); ++d) {
+      if (std::abs(corner[d] / spacing - std::round(corner[d] / spacing)) > rounding) return false;
     }
   }
   return true;
@@ -60,17 +60,19 @@ void take_figures(const Result& result, TractionRun& run) {
   run.l2_max = result.error.l2_max;
 }
 
-void name_form(const Problem& problem, TractionRun& run) {
+template <int Dim>
+void name_form(const ProblemIn<Dim>& problem, TractionRun& run) {
   const auto& traction = problem.setup.traction;
   if (!traction || traction->algorithm == TractionAlgorithm::undeformed_edges) return;
   run.form = word_of(traction->form);
 }
 
 /// What a scene's variant finds. One that cannot be run, as it would exceed the limits, is refused alone.
+template <int Dim>
 void run_variant(const Scene& scene, int threads, OutputFolder& folder, bool quiet, TractionRun& run) {
   Result result;
   try {
-    Problem problem = assemble(scene, threads);
+    ProblemIn<Dim> problem = assemble<Dim>(scene, threads);
     name_form(problem, run);
     const auto exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, {.threads = threads});
     Snapshots nothing(problem, folder);
@@ -84,37 +86,38 @@ void run_variant(const Scene& scene, int threads, OutputFolder& folder, bool qui
 
 }  // namespace
 
-bool is_table_1(const Problem& problem) {
+bool is_table_1(const PosedScene& problem) {
   const Scene& scene = problem.scene;
   const auto* motion = scene.motion.as<Homogeneous>();
   if (!motion || motion->final != Tensor(Vector3(2, 1, 1).asDiagonal()) || motion->period != 1) return false;
   const Body& body = scene.body;
   const std::array<double, 2> origin{0, 0}, far{1, 1};
-  if (body.lower != origin || body.upper != far) return false;
-  if (body.per_cell != std::array<int, 2>{2, 2} || body.lattice != Body::Lattice::cartesian) return false;
+  if (scene.dimension != 2 || body.lower.in<2>() != origin || body.upper.in<2>() != far) return false;
+  if (body.per_cell.in<2>() != std::array<int, 2>{2, 2} || body.lattice != Body::Lattice::cartesian) return false;
   const MaterialChoice& material = scene.material;
   return problem.material->name() == "neo_hookean" && problem.library.empty() && material.density == 1000 &&
          material.parameters.at("E") == 1e6 && material.parameters.at("nu") == 0.25 && scene.time.end == 1;
 }
 
-TractionTable traction_table(const Problem& problem, const Result& own, OutputFolder& folder, bool quiet) {
+template <int Dim>
+TractionTable traction_table(const ProblemIn<Dim>& problem, const Result& own, OutputFolder& folder, bool quiet) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const Scene& scene = problem.scene;
-  const Box body = body_box(scene);
+  const auto body = body_box<Dim>(scene);
   TractionTable table;
   table.of_paper = is_table_1(problem);
   for (const TractionAlgorithm algorithm : compared_algorithms) {
     for (const double spacing : spacings_of(scene)) {
       TractionRun run{word_of(algorithm), {}, spacing, {}, {}, {}, {}, {}};
-      for (std::size_t d = 0; d < 2; ++d) run.cells[d] = (body.upper[d] - body.lower[d]) / spacing;
+      for (std::size_t d = 0; d < Dim; ++d) run.cells[d] = (body.upper[d] - body.lower[d]) / spacing;
       run.exact = algorithm == TractionAlgorithm::virtual_stress || scene.force.inertia == mpm::Inertia::particles;
       run.own = algorithm == scene.traction.algorithm;
       if (run.own && spacing == scene.grid->spacing) {
         name_form(problem, run);
         take_figures(own, run);
       } else {
-        run_variant(variant_of(scene, algorithm, spacing), problem.setup.threads, folder, quiet, run);
+        run_variant<Dim>(variant_of(scene, algorithm, spacing), problem.setup.threads, folder, quiet, run);
       }
       table.runs.push_back(std::move(run));
     }
@@ -122,5 +125,8 @@ TractionTable traction_table(const Problem& problem, const Result& own, OutputFo
   table.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   return table;
 }
+
+template TractionTable traction_table(const ProblemIn<2>&, const Result&, OutputFolder&, bool);
+template TractionTable traction_table(const ProblemIn<3>&, const Result&, OutputFolder&, bool);
 
 }  // namespace assay::drivers

@@ -12,18 +12,20 @@
 #include "harness/check/march.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 #include "harness/motion/kinds/vortex.hpp"
+#include "harness/motion/kinds/vortex3d.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
 /// By the fastest wave, until the end of the run.
-double crossings(const Problem& problem) {
-  const std::array<double, 2> sides = sides_of_body(problem);
-  return problem.wave_speed * problem.scene.time.end / std::max(sides[0], sides[1]);
+template <int Dim>
+double crossings(const ProblemIn<Dim>& problem) {
+  const auto sides = sides_of_body(problem);
+  return problem.wave_speed * problem.scene.time.end / *std::max_element(sides.begin(), sides.end());
 }
 
-std::string long_step_sentence(const Problem& problem) {
+std::string long_step_sentence(const PosedScene& problem) {
   const double courant = problem.dt * fastest_signal(problem) / problem.scene.grid->spacing;
   const auto fixed = problem.scene.time.fixed_step();
   if (!fixed || courant <= 1) return "";
@@ -31,7 +33,8 @@ std::string long_step_sentence(const Problem& problem) {
          " times the time in which the fastest wave crosses a cell: the run is likely to become unstable";
 }
 
-std::string stress_at_rest_sentence(const Problem& problem) {
+template <int Dim>
+std::string stress_at_rest_sentence(const ProblemIn<Dim>& problem) {
   constexpr double significant = 1e-6;  // of rho c^2
   if (problem.setup.hold_outside || problem.setup.traction) return "";
   const auto& direction = problem.setup.material_direction;
@@ -64,7 +67,7 @@ double largest_jump(const DeformationTable& table, double end) {
 
 /// A step in which F'' jumps takes one of its two values for the whole of it: half a step of the jump stays in the
 /// velocity on average, and grows in the displacement.
-std::string jump_sentence(const Problem& problem) {
+std::string jump_sentence(const PosedScene& problem) {
   constexpr double noticeable = 0.05;
   const auto* table = problem.scene.motion.as<DeformationTable>();
   if (!table || !problem.compared) return "";
@@ -80,7 +83,7 @@ std::string jump_sentence(const Problem& problem) {
          (fixed ? fixed->shorter : "a smaller method.courant") + ", or motion.interpolation: spline";
 }
 
-std::string late_snapshots_sentence(const Problem& problem) {
+std::string late_snapshots_sentence(const PosedScene& problem) {
   const auto& from = problem.scene.output.each_step_from;
   const double end = problem.scene.time.end;
   if (!from || *from <= end) return "";
@@ -89,9 +92,9 @@ std::string late_snapshots_sentence(const Problem& problem) {
 }
 
 /// A density in t/mm^3 beside a stiffness in Pa: no solid has such waves, in m/s or in mm/s.
-std::string density_sentence(const Problem& problem) {
+std::string density_sentence(const PosedScene& problem) {
   constexpr double least = 1e-10, most = 1e-7, kg_per_m3 = 1e12, fastest = 1e8;
-  const double density = problem.setup.density;
+  const double density = problem.scene.material.density;
   if (!(density >= least && density <= most) || !(problem.wave_speed > fastest)) return "";
   return "material.density = " + rounded_text(density, 6) + " and the stiffness make waves of " +
          rounded_text(problem.wave_speed, 3) + " m/s, which no solid has; in t/mm^3 the density would be " +
@@ -99,10 +102,12 @@ std::string density_sentence(const Problem& problem) {
          " kg/m^3: units are SI, or those of one system, such as t, mm, s and MPa, throughout";
 }
 
-std::string coarse_grid_sentence(const Problem& problem) {
-  const Box body = body_box(problem.scene);
+template <int Dim>
+std::string coarse_grid_sentence(const ProblemIn<Dim>& problem) {
+  const auto body = body_box<Dim>(problem.scene);
   const double h = problem.scene.grid->spacing;
-  const double side = std::min(body.upper[0] - body.lower[0], body.upper[1] - body.lower[1]);
+  double side = HUGE_VAL;
+  for (std::size_t d = 0; d < Dim; ++d) side = std::min(side, body.upper[d] - body.lower[d]);
   if (!(side > 0 && h > (1 + 1e-9) * side)) return "";
   return "grid.spacing = " + rounded_text(h, 3) + " m is larger than the body, which is " + rounded_text(side, 3) +
          " m across: no cell is filled, and errors may be as large as the motion";
@@ -110,19 +115,20 @@ std::string coarse_grid_sentence(const Problem& problem) {
 
 /// A quadratic spline ends in the middle of a cell. A particle there gives the node beyond it neither mass nor stress,
 /// and the face beside it gives it a force.
-std::string spline_end_sentence(const Problem& problem) {
-  const mpm::Setup<2>& setup = problem.setup;
+template <int Dim>
+std::string spline_end_sentence(const ProblemIn<Dim>& problem) {
+  const mpm::Setup<Dim>& setup = problem.setup;
   if (!setup.traction || setup.has_virtual_stress() || !setup.method.is_total() ||
       setup.method.basis != mpm::Basis::bspline2)
     return "";
-  for (std::size_t d = 0; d < 2 && setup.seeds.size() > 0; ++d) {
+  for (std::size_t d = 0; d < Dim && setup.seeds.size() > 0; ++d) {
     const auto [least, most] = std::minmax_element(setup.seeds.X[d].begin(), setup.seeds.X[d].end());
     const auto ends_at = [&](double x, bool is_free) {
       const double cells = x / setup.grid.spacing - setup.grid.offset[d];
       return is_free && std::abs(cells - std::floor(cells) - 0.5) < 1e-6;
     };
     if (!ends_at(*least, !setup.ends[d].lower) && !ends_at(*most, !setup.ends[d].upper)) continue;
-    return "body.per_cell: the outermost particles along " + std::string(d == 0 ? "X" : "Y") +
+    return "body.per_cell: the outermost particles along " + std::string(1, "XYZ"[d]) +
            " are in the middle of a cell. A quadratic spline ends there, and the traction of the face loads it: the "
            "error will be a few per cent of the motion on any grid. Take an even number per cell to avoid it";
   }
@@ -130,9 +136,11 @@ std::string spline_end_sentence(const Problem& problem) {
 }
 
 /// The period in which a wave crosses the body `wanted` times, of a ring's motion with more than `most` crossings.
-std::optional<double> period_with(const Problem& problem, double most, double wanted) {
+template <int Dim>
+std::optional<double> period_with(const ProblemIn<Dim>& problem, double most, double wanted) {
   const bool is_set = problem.scene.time.fixed_step().has_value();
-  if (!problem.compared || is_set || !ring_of(problem.scene.motion)) return std::nullopt;
+  const Motion& motion = problem.scene.motion;
+  if (!problem.compared || is_set || !(ring_of(motion) || motion.as<Vortex3d>())) return std::nullopt;
   const double found = crossings(problem);
   return found > most ? std::optional(problem.period() * wanted / found) : std::nullopt;
 }
@@ -148,19 +156,26 @@ double time_of_peak(const Amplitude& amplitude, double end) {
 
 }  // namespace
 
-std::optional<double> shorter_period(const Problem& problem) { return period_with(problem, 1000, 30); }
+template <int Dim>
+std::optional<double> shorter_period(const ProblemIn<Dim>& problem) {
+  return period_with(problem, 1000, 30);
+}
 
 // The paper's vortex has two crossings.
-std::optional<double> period_of_few_waves(const Problem& problem) { return period_with(problem, 10, 2); }
+template <int Dim>
+std::optional<double> period_of_few_waves(const ProblemIn<Dim>& problem) {
+  return period_with(problem, 10, 2);
+}
 
-std::string period_text(const Problem& problem, double period) {
+std::string period_text(const PosedScene& problem, double period) {
   const Scene& scene = problem.scene;
   std::string text = rounded_text(period, 2);
   if (!scene.places.contains("time.end")) return text;
   return text + " with time.end: " + rounded_text(period * scene.time.end / problem.period(), 2);
 }
 
-std::string long_motion_sentence(const Problem& problem) {
+template <int Dim>
+std::string long_motion_sentence(const ProblemIn<Dim>& problem) {
   const std::optional<double> shorter = shorter_period(problem);
   if (!shorter) return "";
   return "a wave crosses the body " + rounded_text(crossings(problem), 2) + " times during the motion: the run takes " +
@@ -181,7 +196,8 @@ std::string swing_sentence(const Scene& scene) {
          rounded_text(far->lower, 6) + " and " + rounded_text(far->upper, 6) + ": monotone stays between them";
 }
 
-std::vector<std::string> warnings_of(const Problem& problem) {
+template <int Dim>
+std::vector<std::string> warnings_of(const ProblemIn<Dim>& problem) {
   std::vector<std::string> all{
       long_motion_sentence(problem), long_step_sentence(problem),   stress_at_rest_sentence(problem),
       swing_sentence(problem.scene), jump_sentence(problem),        late_snapshots_sentence(problem),
@@ -227,5 +243,14 @@ std::string narrow_rim_sentence(const RimFigures& rim) {
   return "the plastic rim is " + rounded_text(rim.width, 3) + " m wide, " + rounded_text(rim.cells, 2) +
          " cells: the grid does not resolve less than 2 cells; take a smaller grid.spacing";
 }
+
+template std::optional<double> shorter_period(const ProblemIn<2>&);
+template std::optional<double> period_of_few_waves(const ProblemIn<2>&);
+template std::string long_motion_sentence(const ProblemIn<2>&);
+template std::vector<std::string> warnings_of(const ProblemIn<2>&);
+template std::optional<double> shorter_period(const ProblemIn<3>&);
+template std::optional<double> period_of_few_waves(const ProblemIn<3>&);
+template std::string long_motion_sentence(const ProblemIn<3>&);
+template std::vector<std::string> warnings_of(const ProblemIn<3>&);
 
 }  // namespace assay::drivers

@@ -23,36 +23,43 @@ std::string swing_sentence(const Scene& scene);
 
 /// For a ring's motion that is very long against the waves in the body: a period that they cross it some thirty times
 /// in [s].
-std::optional<double> shorter_period(const Problem& problem);
+template <int Dim>
+std::optional<double> shorter_period(const ProblemIn<Dim>& problem);
 
 /// The period [s] in which the fastest wave crosses the body twice, of a vortex that has several times as many
 /// crossings; nothing for others.
-std::optional<double> period_of_few_waves(const Problem& problem);
+template <int Dim>
+std::optional<double> period_of_few_waves(const ProblemIn<Dim>& problem);
 
 /// A period [s] for motion.period; where the scene says when it ends, with the time.end that goes with it.
-std::string period_text(const Problem& problem, double period);
+std::string period_text(const PosedScene& problem, double period);
 
 /// That it is, which is to be told before a run of hours; empty: it is not.
-std::string long_motion_sentence(const Problem& problem);
+template <int Dim>
+std::string long_motion_sentence(const ProblemIn<Dim>& problem);
 
 /// One sentence each: a motion that is very long against the waves in the body; fixed steps beyond a Courant number of
 /// 1; stress at rest, which free faces do not bear; a spline that goes beyond its rows; a body force that jumps at rows
 /// by more than steps of this length resolve; snapshots from a time on that is not reached; a density in t/mm^3; cells
 /// larger than the body; particles at the ends of splines.
-std::vector<std::string> warnings_of(const Problem& problem);
+template <int Dim>
+std::vector<std::string> warnings_of(const ProblemIn<Dim>& problem);
 
 // After the run.
 
 /// What lives through more of the hard cases (docs/hard.md, bench/results/hard) than the method of this run; empty
 /// where nothing does. reason: of which it died.
-std::string advice_after_death(const Problem& problem, const std::string& reason = {});
+template <int Dim>
+std::string advice_after_death(const ProblemIn<Dim>& problem, const std::string& reason = {});
 
 /// What makes the errors smaller of a run that has completed with errors larger than its motion; empty for others.
 /// `relative`: the largest error over the largest displacement.
-std::string advice_after_large_error(const Problem& problem, double relative);
+template <int Dim>
+std::string advice_after_large_error(const ProblemIn<Dim>& problem, double relative);
 
 /// Lengths of the body along the axes [m]; zeros without particles.
-std::array<double, 2> sides_of_body(const Problem& problem);
+template <int Dim>
+std::array<double, Dim> sides_of_body(const ProblemIn<Dim>& problem);
 
 // The stability screen of a scene's motion: its figures, and what a verb says of them.
 

@@ -24,12 +24,11 @@ Act add_explain_arguments(VerbArguments& verb) {
   return act_of(given, explain);
 }
 
-}  // namespace
-
-int explain(const ExplainOptions& options) {
+template <int Dim>
+int explain_in(const ExplainOptions& options, const Scene& scene) {
   const bool quiet = options.quiet() || options.json;
   try {
-    const Problem problem = assemble(read_scene(options.scene, options.sets), 1);
+    const ProblemIn<Dim> problem = assemble<Dim>(scene, 1);
     for (const std::string& sentence : quiet ? std::vector<std::string>() : warnings_of(problem)) warn(sentence);
     const ScreenFigures screen = screen_of(problem.scene, *problem.material, problem.scene.time.end, quiet);
     ExactSolutionPtr exact;
@@ -47,6 +46,13 @@ int explain(const ExplainOptions& options) {
     std::fprintf(stderr, "%s\n", one_line(result.reason + advice).c_str());
     return 1;
   }
+}
+
+}  // namespace
+
+int explain(const ExplainOptions& options) {
+  const Scene scene = read_scene(options.scene, options.sets);
+  return in_dimension(scene, [&](auto dimension) { return explain_in<dimension.value>(options, scene); });
 }
 
 Verb verb_explain() {

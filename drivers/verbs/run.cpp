@@ -26,7 +26,7 @@ namespace assay::drivers {
 namespace {
 
 /// The plastic rim, with a warning where the grid is too coarse for it.
-void record_rim(const Problem& problem, const Response& response, Result& result) {
+void record_rim(const PosedScene& problem, const Response& response, Result& result) {
   const auto* vortex = problem.scene.motion.as<Vortex>();
   if (!vortex) return;
   result.rim = rim_of(response, *vortex, problem.scene.grid->spacing, problem.scene.time.end);
@@ -34,7 +34,7 @@ void record_rim(const Problem& problem, const Response& response, Result& result
   if (!sentence.empty()) warn(sentence);
 }
 
-void record_response(const Problem& problem, const Response& response, double seconds, Result& result) {
+void record_response(const PosedScene& problem, const Response& response, double seconds, Result& result) {
   record_sheet(problem.scene, response, seconds, result);
   if (problem.scene.motion->polar() && response.sheet())
     result.sheet->error_b =
@@ -43,7 +43,8 @@ void record_response(const Problem& problem, const Response& response, double se
 }
 
 /// Builds the exact solution, steps, and leaves snapshots and pictures in the folder. life: of the run.
-std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& options, const Stopwatch& life,
+template <int Dim>
+std::vector<ReportPicture> simulate_into(ProblemIn<Dim>& problem, const RunOptions& options, const Stopwatch& life,
                                          OutputFolder& folder, Result& result) {
   const Stopwatch of_response;
   ExactSolutionPtr exact;
@@ -72,7 +73,7 @@ std::vector<ReportPicture> simulate_into(Problem& problem, const RunOptions& opt
 }
 
 /// Whether the motion may be run: it is a stable solution for the model, or the scene allows otherwise.
-bool admitted(const Problem& problem, bool quiet, Result& result) {
+bool admitted(const PosedScene& problem, bool quiet, Result& result) {
   const Scene& scene = problem.scene;
   if (!problem.compared) return true;  // then the body does not move as the motion says
   result.screen = screen_of(scene, *problem.material, scene.time.end, quiet);
@@ -105,9 +106,10 @@ std::string write_verdict(const Scene& scene, const Result& result, std::vector<
 
 /// Poses the scene's problem, and completes the scene by it. Returns whether it is to be run: not where the material
 /// fails on the way, or the motion is not admitted.
-bool pose(const RunOptions& options, Scene& scene, std::optional<Problem>& problem, Result& result) {
+template <int Dim>
+bool pose(const RunOptions& options, Scene& scene, std::optional<ProblemIn<Dim>>& problem, Result& result) {
   try {
-    problem = assemble(scene, options.threads);
+    problem = assemble<Dim>(scene, options.threads);
     scene = problem->scene;
     result.subject = problem->subject();
     result.uses_exact_solution = problem->setup.uses_exact_solution();
@@ -136,17 +138,10 @@ Act add_run_arguments(VerbArguments& verb) {
   };
 }
 
-}  // namespace
-
-int run(const RunOptions& options) {
-  forget_inputs();
-  const Stopwatch life;
-  Scene scene = read_scene(options.scene, options.sets);
-  refuse_junit_in_the_way(options);
-  require_junit_folder(options.junit, options.out);
-  watch_interrupts();
+template <int Dim>
+int run_in(const RunOptions& options, Scene scene, const Stopwatch& life) {
   Result result = result_for(scene);
-  std::optional<Problem> problem;
+  std::optional<ProblemIn<Dim>> problem;
   const bool runs = pose(options, scene, problem, result);
   refuse_input_as_output(options.junit, "--junit");
   OutputFolder folder(options.out);
@@ -170,6 +165,18 @@ int run(const RunOptions& options) {
   const std::string text = verdict_text(result, options.out, options.verbosity == Verbosity::verbose);
   tell(said_of(result, options, text), {{options.json ? "-" : "", json, true}, {options.junit, junit}});
   return exit_status(result);
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  forget_inputs();
+  const Stopwatch life;
+  const Scene scene = read_scene(options.scene, options.sets);
+  refuse_junit_in_the_way(options);
+  require_junit_folder(options.junit, options.out);
+  watch_interrupts();
+  return in_dimension(scene, [&](auto dimension) { return run_in<dimension.value>(options, scene, life); });
 }
 
 Verb verb_run() {

@@ -166,7 +166,10 @@ class BoxSolution final : public ExactSolution {
   std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const override {
     return std::make_unique<BoxInstant>(model_.motion, density_, series(), points, asked);
   }
-  std::optional<StressSource> source() const override { return series()->source(); }
+  std::optional<StressSource> source() const override {
+    if (model_.motion.in_space) return std::nullopt;  // the series is plane
+    return series()->source();
+  }
 
  private:
   std::shared_ptr<BoxSeriesInTime> series() const {

@@ -55,6 +55,7 @@ class BoxSlice final : public ExactSlice {
     return found;
   }
   ExactState state(const Vector3& X) const override { return model.motion.at(X, t); }
+  Tensor acceleration_gradient(const Vector3& X) const override { return model.motion.acceleration_gradient(X, t); }
 
   const BoxModel& model;
   double t;

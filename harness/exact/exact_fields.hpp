@@ -8,6 +8,7 @@
 //     |    places(X)                    ExactPlaces: what is wanted of fixed points, quickly
 //     |                                 HexahedronAverage: their means over domains
 //     +--instant(points, asked)-----> ExactInstant --set_time(t)--> the plane fields of many fixed points
+//     +--SpaceInstant---------------> the same in space, from places and slices: harness/exact/space_instant.hpp
 //
 //   four families    polar.cpp     vortex, twisting ring: tau(xi, t) of a Response
 //                    uniform.cpp   F is the same everywhere: P(t)
@@ -18,6 +19,7 @@
 // A solution never changes, and any number of threads may ask it. An instant belongs to one thread.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -38,16 +40,23 @@ struct FieldViews;
 struct AxisAligned;
 struct Vortex3d;
 
-struct PlaneState {
-  Point x{}, v{};                 ///< [m], [m/s]
-  Plane F{};                      ///< [1]
-  std::array<double, 5> sigma{};  ///< Cauchy stress 11, 12, 21, 22, 33 [Pa]; 0 where no stress was asked for
+/// What is where a point is, and of its stress: in the plane 11, 12, 21, 22, 33; in space 11, 22, 33, 12, 13, 23.
+template <int Dim>
+struct FieldState {
+  std::array<double, Dim> x{}, v{};              ///< [m], [m/s]
+  std::array<double, Dim * Dim> F{};             ///< row-major [1]
+  std::array<double, Dim == 2 ? 5 : 6> sigma{};  ///< Cauchy stress [Pa]; 0 where no stress was asked for
 };
+using PlaneState = FieldState<2>;
+using SpaceState = FieldState<3>;
 
-struct PlaneInertia {
-  Point a{};         ///< [m/s^2]
-  Plane gradient{};  ///< d a_i / d X_j [1/s^2]
+template <int Dim>
+struct FieldInertia {
+  std::array<double, Dim> a{};               ///< [m/s^2]
+  std::array<double, Dim * Dim> gradient{};  ///< d a_i / d X_j, row-major [1/s^2]
 };
+using PlaneInertia = FieldInertia<2>;
+using SpaceInertia = FieldInertia<3>;
 
 struct PlaneMean {
   Point x{}, v{};  ///< [m], [m/s]
@@ -76,11 +85,12 @@ class ExactInstant {
   /// Throws MaterialFailure.
   virtual void set_time(double t) = 0;
 
-  virtual PlaneState state(std::size_t point) const = 0;             ///< of motion, or of stress
-  virtual Point velocity(std::size_t point) const = 0;               ///< of motion [m/s]
-  virtual Plane F_rate(std::size_t point) const = 0;                 ///< of motion [1/s]
-  virtual Plane first_piola_kirchhoff(std::size_t point) const = 0;  ///< of stress [Pa]
-  virtual PlaneInertia inertia(std::size_t point) const = 0;         ///< of inertia
+  virtual PlaneState state(std::size_t point) const = 0;                    ///< of motion, or of stress
+  virtual Point velocity(std::size_t point) const = 0;                      ///< of motion [m/s]
+  virtual Plane F_rate(std::size_t point) const = 0;                        ///< of motion [1/s]
+  virtual Plane first_piola_kirchhoff(std::size_t point) const = 0;         ///< of stress [Pa]
+  virtual PlaneInertia inertia(std::size_t point) const = 0;                ///< of inertia
+  Point acceleration(std::size_t point) const { return inertia(point).a; }  ///< of inertia [m/s^2]
 
   /// Of force: writes b of all points, or their means [m/s^2].
   virtual void body_force(std::span<double> b_x, std::span<double> b_y, const InPieces& pieces = in_one_piece) = 0;
@@ -102,6 +112,9 @@ class ExactInstant {
 
   /// Of a point's own F: component 21 of r^T F q (17), gamma = 2 eps of the vortex; of other motions det F [1].
   virtual double measure(std::size_t, const Plane& F) const { return F[0] * F[3] - F[1] * F[2]; }
+
+  /// What some of the points are asked of, as in space: the instant itself.
+  const ExactInstant& window(std::size_t, std::size_t) const { return *this; }
 
  protected:
   std::vector<double> X_, Y_;
@@ -134,6 +147,17 @@ class ExactSlice {
   virtual ExactPoint at(const Vector3& X) const = 0;
   virtual Tensor first_piola_kirchhoff(const Vector3& X) const { return at(X).stress.first_piola_kirchhoff; }
   virtual ExactState state(const Vector3& X) const = 0;
+
+  /// d a_i / d X_j: of the motion's own by central differences, exact to ten digits, where it has no formula [1/s^2].
+  virtual Tensor acceleration_gradient(const Vector3& X) const;
+  /// Over which the motion changes its course [m].
+  virtual double length() const { return HUGE_VAL; }
+  /// Whether the exact motion moves the point.
+  virtual bool moves(const Vector3&) const { return true; }
+  /// x - X in the body's own frame [m].
+  virtual Vector3 displacement(const Vector3& X) const { return state(X).x - X; }
+  /// Of a point's own F: gamma = 2 eps of a vortex, the component 21 on its baseline; of other motions det F [1].
+  virtual double measure(const Vector3&, const Tensor& F) const { return F.determinant(); }
 
   /// What is smooth in a part of the body: that of the motion ends at its edges, of the stress also at fronts.
   enum class Smooth { motion, stress };

@@ -107,6 +107,23 @@ class FramedSlice final : public ExactSlice {
     return seen_from(frame_, own, t_);
   }
   ExactState state(const Vector3& X) const override { return frame_.seen(own_->state(frame_.body_point(X)), t_); }
+  /// Column by column of d a / d X as a itself.
+  Tensor acceleration_gradient(const Vector3& X) const override {
+    const Vector3 own = frame_.body_point(X);
+    const ExactState s = own_->state(own);
+    Tensor gradient = own_->acceleration_gradient(own);
+    for (int j = 0; j < 3; ++j) {
+      ExactState column;
+      column.x = s.F.col(j), column.v = s.F_rate.col(j);
+      gradient.col(j) += frame_.coriolis_and_centrifugal(column);
+    }
+    return frame_.rotation(t_) * gradient * frame_.rotation(0).transpose();
+  }
+  bool moves(const Vector3& X) const override { return own_->moves(frame_.body_point(X)); }
+  Vector3 displacement(const Vector3& X) const override { return own_->displacement(frame_.body_point(X)); }
+  double measure(const Vector3& X, const Tensor& F) const override {
+    return own_->measure(frame_.body_point(X), frame_.rotation(t_).transpose() * F * frame_.rotation(0));
+  }
   bool has_parts(Smooth of) const override { return own_->has_parts(of); }
   std::size_t part(const Vector3& X, Smooth of) const override { return own_->part(frame_.body_point(X), of); }
 

@@ -128,6 +128,25 @@ class MeridianSlice final : public ExactSlice {
     return p ? state_of(*p, g_) : at_rest(X);
   }
 
+  /// F = Q M, M = I + g E_Z x X (x) k: F.. = Q.. M + 2 Q. M. + Q M.., Q. = w W Q, Q.. = (w. W + w^2 W^2) Q, w = g. h.
+  Tensor acceleration_gradient(const Vector3& X) const override {
+    const auto p = finder_.place(X);
+    if (!p) return Tensor::Zero();
+    const double omega = g_.rate * p->profile.h, omega_rate = g_.acceleration * p->profile.h;  // [rad/s], [rad/s^2]
+    Tensor W;
+    for (int d = 0; d < 3; ++d) W.col(d) = p->E_Z.cross(Vector3::Unit(d));
+    const Tensor Q = p->rotation(g_.value * p->profile.h), shear = p->around() * p->gradient().transpose();
+    return (omega_rate * W + omega * omega * W * W) * Q * (Tensor::Identity() + g_.value * shear) +
+           2 * omega * g_.rate * W * Q * shear + g_.acceleration * Q * shear;
+  }
+  bool moves(const Vector3& X) const override { return finder_.place(X).has_value(); }
+  double measure(const Vector3& X, const Tensor& F) const override {
+    const auto p = finder_.place(X);
+    if (!p) return 0;
+    const Tensor B = p->axes(), Q = p->rotation(g_.value * p->profile.h);
+    return (B.transpose() * Q.transpose() * F * B)(1, 0);
+  }
+
   bool has_parts(Smooth of) const override { return has_edge_ || (of == Smooth::stress && !fronts_.empty()); }
   std::size_t part(const Vector3& X, Smooth of) const override {
     const auto p = finder_.place(X);

@@ -41,6 +41,11 @@ class PolarSlice final : public ExactSlice {
     return found;
   }
   ExactState state(const Vector3& X) const override { return solution_.state(X, t); }
+  double length() const override { return solution_.motion()->length(); }
+  bool moves(const Vector3& X) const override {
+    return solution_.motion()->polar()->widens() || ring_.holds(std::hypot(X.x(), X.y()));
+  }
+  double measure(const Vector3& X, const Tensor& F) const override;
   bool has_parts(Smooth) const override { return true; }
   std::size_t part(const Vector3& X, Smooth of) const override {
     const double R = std::hypot(X.x(), X.y());
@@ -68,6 +73,14 @@ Tensor turned_axes(double c, double s) {
   Tensor r;
   r << c, -s, 0, s, c, 0, 0, 0, 1;
   return r;
+}
+
+double PolarSlice::measure(const Vector3& X, const Tensor& F) const {
+  if (solution_.motion()->polar()->widens()) return F.determinant();
+  const double R = std::hypot(X.x(), X.y()), c = R > 0 ? X.x() / R : 1, s = R > 0 ? X.y() / R : 0;
+  const double alpha = ring_kinematics(solution_.motion(), R, t).alpha;
+  const Tensor q = turned_axes(c, s), r = turned_axes(std::cos(alpha), std::sin(alpha)) * q;
+  return (r.transpose() * F * q)(1, 0);  // (17)
 }
 
 /// The radii of a piece at one time.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Slices of solutions that are asked for each point alone.
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "harness/exact/places.hpp"
+#include "harness/numeric/central_difference.hpp"
 
 namespace assay {
 
@@ -14,6 +16,7 @@ class SliceOfPoints final : public ExactSlice {
   SliceOfPoints(const ExactSolution& solution, double t) : solution_(solution), t_(t) {}
   ExactPoint at(const Vector3& X) const override { return solution_.at(X, t_); }
   ExactState state(const Vector3& X) const override { return solution_.state(X, t_); }
+  double length() const override { return solution_.motion()->length(); }
 
  private:
   const ExactSolution& solution_;
@@ -21,6 +24,17 @@ class SliceOfPoints final : public ExactSlice {
 };
 
 }  // namespace
+
+Tensor ExactSlice::acceleration_gradient(const Vector3& X) const {
+  constexpr double share = 0.01;  // of the length: what eighth order leaves is rounding
+  const double step = share * std::min(1.0, length());
+  Tensor gradient;
+  for (int d = 0; d < 3; ++d) {
+    const auto a = [&](int k) -> Vector3 { return state(X + k * step * Vector3::Unit(d)).a; };
+    gradient.col(d) = central_difference(a, step);
+  }
+  return gradient;
+}
 
 std::unique_ptr<const ExactSlice> ExactSolution::slice(double t) const {
   return std::make_unique<SliceOfPoints>(*this, t);

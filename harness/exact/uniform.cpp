@@ -142,6 +142,13 @@ class UniformSlice final : public ExactSlice {
     return {now, {P_, cauchy_stress(P_, now.F), now.a}};
   }
   ExactState state(const Vector3& X) const override { return motion_->at(X, t_); }
+  /// a is linear in X.
+  Tensor acceleration_gradient(const Vector3&) const override {
+    const Vector3 origin = state(Vector3::Zero()).a;
+    Tensor gradient;
+    for (int d = 0; d < 3; ++d) gradient.col(d) = state(Vector3::Unit(d)).a - origin;
+    return gradient;
+  }
 
  private:
   Motion motion_;

@@ -83,7 +83,7 @@ inline void axis_key(Keys& keys, Vector3& axis, bool shown = true) {
 /// In what a motion is used: what its own check depends on.
 struct MotionUse {
   double end = 0;                                     ///< of the scene [s]
-  bool by_method = false;                             ///< a particle method, which is plane strain, runs it
+  bool by_method = false;                             ///< a particle method runs it
   std::function<bool(const std::string& key)> gives;  ///< whether the scene gives the key
   int dimension = 2;                                  ///< of the scene
 };
@@ -121,8 +121,8 @@ class MotionKind {
   virtual bool bears_tractions() const { return true; }    ///< on the surface of the body
 
   /// Corners of a square or box unless the scene says otherwise [m].
-  virtual std::array<double, 2> usual_lower() const { return {-1.5, -1.5}; }
-  virtual std::array<double, 2> usual_upper() const { return {1.5, 1.5}; }
+  virtual std::array<double, 3> usual_lower() const { return {-1.5, -1.5, -1.5}; }
+  virtual std::array<double, 3> usual_upper() const { return {1.5, 1.5, 1.5}; }
   /// Whether the motion is its own mirror image at a plane across axis d.
   virtual bool is_symmetry_plane(std::size_t, double) const { return false; }
   virtual bool may_repeat() const { return false; }  ///< body.periodic exists for it

@@ -38,9 +38,46 @@ struct KeyRecord {
   friend bool operator==(const KeyRecord& a, const KeyRecord& b) { return a.values == b.values; }
 };
 
+/// Along the axes: two in the plane, three in space.
+template <class T>
+class PerAxis {
+ public:
+  PerAxis() = default;
+  /// In the plane, and the third for space.
+  PerAxis(T x, T y, T z) : values_{x, y, z} {}
+  PerAxis(const std::array<T, 2>& plane) : values_{plane[0], plane[1], T{}} {}  // NOLINT(google-explicit-constructor)
+  PerAxis(const std::array<T, 3>& space)                                        // NOLINT(google-explicit-constructor)
+      : values_(space), size_(3) {}
+
+  T& operator[](std::size_t d) { return values_[d]; }
+  const T& operator[](std::size_t d) const { return values_[d]; }
+  std::size_t size() const { return size_; }
+  void set_dimension(int dimension) { size_ = static_cast<std::size_t>(dimension); }
+
+  template <std::size_t N>
+  std::array<T, N> in() const {
+    std::array<T, N> first;
+    std::copy_n(values_.begin(), N, first.begin());
+    return first;
+  }
+  operator std::array<T, 2>() const { return in<2>(); }  // NOLINT(google-explicit-constructor)
+  operator std::array<T, 3>() const { return values_; }  // NOLINT(google-explicit-constructor)
+  friend bool operator==(const PerAxis& a, const PerAxis& b) {
+    return a.size_ == b.size_ && std::equal(a.values_.data(), a.values_.data() + a.size_, b.values_.data());
+  }
+
+ private:
+  std::array<T, 3> values_{};
+  std::size_t size_ = 2;
+};
+template <class Member>
+inline constexpr bool is_per_axis = false;
+template <class T>
+inline constexpr bool is_per_axis<PerAxis<T>> = true;
+
 /// automatic: a number, or the word "auto", which is what stands where nothing is given; pair_or_vector: two numbers,
-/// or three in space; list: of parts that have keys.
-enum class KeyType { number, automatic, boolean, text, choice, pair, vector, pair_or_vector, matrix, list };
+/// or three in space; per_axis: as many as the scene's dimension; list: of parts that have keys.
+enum class KeyType { number, automatic, boolean, text, choice, pair, vector, pair_or_vector, per_axis, matrix, list };
 
 class Keys;
 
@@ -84,6 +121,7 @@ template <class Member>
 constexpr KeyType type_of() {
   using Kept = typename Optional<Member>::Kept;
   if constexpr (is_list<Kept>) return KeyType::list;
+  if constexpr (is_per_axis<Kept>) return KeyType::per_axis;
   if constexpr (std::is_same_v<Kept, bool>) return KeyType::boolean;
   if constexpr (std::is_same_v<Kept, std::string>) return KeyType::text;
   if constexpr (std::is_enum_v<Kept>) return KeyType::choice;
@@ -114,6 +152,10 @@ KeyValue value_of(const Member& member) {
   } else if constexpr (std::is_same_v<Member, Tensor>) {
     const auto nine = nine_of(member);
     return std::vector<double>(nine.begin(), nine.end());
+  } else if constexpr (is_per_axis<Member>) {
+    std::vector<double> list;
+    for (std::size_t d = 0; d < member.size(); ++d) list.push_back(static_cast<double>(member[d]));
+    return list;
   } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
     return std::vector<double>(member.begin(), member.end());
   } else if constexpr (std::is_same_v<Member, int>) {
@@ -138,6 +180,10 @@ void give(Member& member, const KeyValue& value) {
       member.push_back(part_of<typename Member::value_type>(record));
   } else if constexpr (std::is_same_v<Member, Tensor>) {
     member = tensor_of(std::get<std::vector<double>>(value).data());
+  } else if constexpr (is_per_axis<Member>) {
+    const auto& list = std::get<std::vector<double>>(value);
+    member.set_dimension(static_cast<int>(list.size()));
+    for (std::size_t d = 0; d < list.size(); ++d) member[d] = static_cast<std::decay_t<decltype(member[d])>>(list[d]);
   } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
     const auto& list = std::get<std::vector<double>>(value);
     for (std::size_t k = 0; k < list.size(); ++k) member[k] = static_cast<typename Member::value_type>(list[k]);

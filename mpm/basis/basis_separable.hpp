@@ -51,6 +51,12 @@ class SeparableBasis : public BasisOf<Derived, Dim> {
     }
   }
 
+  ASSAY_INLINE NodeSteps<Dim> steps() const {
+    NodeSteps<Dim> steps;
+    for (std::size_t d = 0; d < Dim; ++d) steps.of[d] = static_cast<std::size_t>(locator_.stride[d]);
+    return steps;
+  }
+
   /// Of a particle along axis d [cells].
   ASSAY_INLINE double along(std::size_t p, std::size_t d) const { return places_[p].along[d]; }
 
@@ -188,12 +194,6 @@ class SeparableBasis : public BasisOf<Derived, Dim> {
 
  private:
   ASSAY_INLINE const Derived& derived() const { return static_cast<const Derived&>(*this); }
-
-  ASSAY_INLINE NodeSteps<Dim> steps() const {
-    NodeSteps<Dim> steps;
-    for (std::size_t d = 0; d < Dim; ++d) steps.of[d] = static_cast<std::size_t>(locator_.stride[d]);
-    return steps;
-  }
 
   ASSAY_INLINE void fold_all(std::size_t d, std::size_t n, std::int32_t* first, Nodes& nodes) const {
     const auto last = static_cast<std::uint32_t>(count_[d] - Width);

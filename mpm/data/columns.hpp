@@ -31,11 +31,14 @@ enum class Column {
 };
 inline constexpr auto column_count = static_cast<std::size_t>(Column::count);
 
-/// Components of a tensor column: Dim * Dim, row-major; a stress in plane strain has 33 besides.
+/// Components of a tensor column: Dim * Dim, row-major. Of a stress 11, 12, 21, 22 and 33 in plane strain, and 11, 22,
+/// 33, 12, 13, 23 in space. What a virtual stress leaves of it has all components, for it need not be symmetric.
 template <int Dim>
 inline constexpr int tensor_components = Dim* Dim;
 template <int Dim>
-inline constexpr int stress_components = Dim == 2 ? 5 : 9;
+inline constexpr int stress_components = Dim == 2 ? 5 : 6;
+template <int Dim>
+inline constexpr int excess_components = Dim == 2 ? 5 : 9;
 
 /// Component-major storage of one column: component c of particle p is data()[c * n + p].
 class ColumnData {

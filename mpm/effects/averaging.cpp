@@ -7,10 +7,11 @@ namespace assay::mpm {
 namespace {
 
 /// In place of the one at points.
-std::vector<Pass<2>> averaging_passes(const Setup<2>&) {
-  Pass<2> pass = unbound_body_force();
+template <int Dim>
+std::vector<Pass<Dim>> averaging_passes(const Setup<Dim>&) {
+  Pass<Dim> pass = unbound_body_force<Dim>();
   pass.doc = "b of the exact motion, averaged over the particles' reference domains";
-  pass.bind = [](State<2>& s) { return body_force_kernel(s, Evaluation::domain_average); };
+  pass.bind = [](State<Dim>& s) { return body_force_kernel(s, Evaluation::domain_average); };
   return {pass};
 }
 
@@ -19,13 +20,12 @@ std::vector<Pass<2>> averaging_passes(const Setup<2>&) {
 template <int Dim>
 EffectRecord<Dim> averaging_effect() {
   EffectRecord<Dim> effect{20, "b is the mean over each particle's reference domain", "force.evaluation"};
-  effect.called_for = [](const Setup<Dim>& s) { return Dim == 2 && s.averages_force(); };
-  if constexpr (Dim == 2) effect.passes = averaging_passes;
-  effect.around = "the domains, cut at the ring's edges";
+  effect.called_for = [](const Setup<Dim>& s) { return s.averages_force(); };
+  effect.passes = averaging_passes<Dim>;
+  effect.around = Dim == 2 ? "the domains, cut at the ring's edges" : "the domains, divided at the vortex's edges";
   return effect;
 }
 
-template EffectRecord<2> averaging_effect();
-template EffectRecord<3> averaging_effect();
+template EffectRecord<ASSAY_DIMENSION> averaging_effect();
 
 }  // namespace assay::mpm

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/effects/tractions.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "mpm/basis/corners.hpp"
+#include "mpm/effects/body_force.hpp"
+#include "mpm/effects/surface_normals.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/kernels/kernel_state.hpp"
 #include "mpm/step/surface_loads.hpp"
@@ -10,95 +15,176 @@ namespace assay::mpm {
 
 namespace {
 
-Vec<2> times(const Mat<2>& A, const Vec<2>& v) { return {A[0] * v[0] + A[1] * v[1], A[2] * v[0] + A[3] * v[1]}; }
-
-/// n ds of an edge: of the line between its corners where these move, else J F^-T N dA0 of its particle.
-Vec<2> current_normal(const State<2>& s, const SurfaceEdge& edge) {
-  if (s.has(Column::corners) && edge.on_corners) {
-    const auto corner = [&](std::size_t k, std::size_t d) {
-      return s.column(Column::corners, static_cast<int>(2 * edge.corners[k] + d))[edge.particle];
-    };
-    const double dx = corner(1, 0) - corner(0, 0), dy = corner(1, 1) - corner(0, 1);
-    const double X = edge.X[1][0] - edge.X[0][0], Y = edge.X[1][1] - edge.X[0][1];
-    const double side = Y * edge.N_dA[0] - X * edge.N_dA[1] > 0 ? 1 : -1;  // (dy, -dx) points out of the body, or in
-    return {side * dy, -side * dx};
+template <int Dim>
+Vec<Dim> times(const Mat<Dim>& A, const Vec<Dim>& v) {
+  Vec<Dim> found{};
+  for (std::size_t i = 0; i < Dim; ++i) {
+    for (std::size_t j = 0; j < Dim; ++j) found[i] += A[i * Dim + j] * v[j];
   }
-  const Mat<2> cofactor = inverse_transpose<2>(s.at<4>(Column::deformation_gradient, edge.particle), 1);
-  return {cofactor[0] * edge.N_dA[0] + cofactor[1] * edge.N_dA[1],
-          cofactor[2] * edge.N_dA[0] + cofactor[3] * edge.N_dA[1]};
+  return found;
 }
 
-/// Force on an edge, of whose middle the field speaks at `k` [N].
-Vec<2> force_on(const State<2>& s, const SurfaceEdge& edge, const ExactInstant& field, std::size_t k) {
+template <int Dim>
+Mat<Dim> tensor_of(const FieldState<Dim>& exact) {
+  Mat<Dim> sigma;
+  for (std::size_t c = 0; c < sigma.size(); ++c) sigma[c] = exact.sigma[stress_index<Dim>(c / Dim, c % Dim)];
+  return sigma;
+}
+
+/// Where the corners of a piece are now, of a domain whose corners move.
+template <int Dim>
+auto corners_now(const State<Dim>& s, const SurfacePiece<Dim>& piece) {
+  std::array<Vec<Dim>, SurfacePiece<Dim>::ends> x;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    for (std::size_t d = 0; d < Dim; ++d)
+      x[k][d] = s.column(Column::corners, static_cast<int>(Dim * piece.corners[k] + d))[piece.particle];
+  }
+  return x;
+}
+
+template <int Dim>
+double size_of(const Vec<Dim>& v) {
+  if constexpr (Dim == 2) return std::hypot(v[0], v[1]);
+  if constexpr (Dim == 3) return std::hypot(v[0], v[1], v[2]);
+}
+
+/// n ds of a piece for each of its ends: of the line or face between its corners where these move, else J F^-T N dA0 of
+/// its particle in equal shares.
+template <int Dim>
+auto current_normals(const State<Dim>& s, const SurfacePiece<Dim>& piece) {
+  std::array<Vec<Dim>, SurfacePiece<Dim>::ends> normals;
+  if (s.has(Column::corners) && piece.on_corners) {
+    normals = normals_of_ends(corners_now(s, piece), side_of(piece));
+  } else {
+    const Mat<Dim> F = s.template at<Dim * Dim>(Column::deformation_gradient, piece.particle);
+    Vec<Dim> n = times<Dim>(inverse_transpose<Dim>(F, 1), piece.N_dA);  // of det F 1: the cofactor
+    for (double& component : n) component /= static_cast<double>(normals.size());
+    normals.fill(n);
+  }
+  return normals;
+}
+
+/// Forces on the ends of a piece, of whose middle the fields speak at `k` [N].
+template <int Dim>
+auto forces_on(const State<Dim>& s, const SurfacePiece<Dim>& piece, const auto& here, std::size_t k) {
+  constexpr std::size_t ends = SurfacePiece<Dim>::ends;
   const Traction& traction = *s.setup.traction;
   const bool undeformed = traction.algorithm == TractionAlgorithm::undeformed_edges;
-  if (traction.form == TractionForm::reference && !undeformed) return times(field.first_piola_kirchhoff(k), edge.N_dA);
-  Vec<2> n = current_normal(s, edge);
-  if (undeformed) {
-    const double share = std::hypot(edge.N_dA[0], edge.N_dA[1]) / std::hypot(n[0], n[1]);
-    for (double& component : n) component *= share;
+  std::array<Vec<Dim>, ends> forces;
+  if (traction.form == TractionForm::reference && !undeformed) {
+    Vec<Dim> force = times<Dim>(here.first_piola_kirchhoff(k), piece.N_dA);
+    for (double& component : force) component /= static_cast<double>(ends);
+    forces.fill(force);
+    return forces;
   }
-  const auto sigma = field.state(k).sigma;
-  return times(Mat<2>{sigma[0], sigma[1], sigma[2], sigma[3]}, n);
+  auto normals = current_normals(s, piece);
+  if (undeformed) {
+    Vec<Dim> whole{};
+    for (const auto& n : normals) {
+      for (std::size_t d = 0; d < Dim; ++d) whole[d] += n[d];
+    }
+    const double share = size_of<Dim>(piece.N_dA) / size_of<Dim>(whole);
+    for (auto& n : normals) {
+      for (double& component : n) component *= share;
+    }
+  }
+  const Mat<Dim> sigma = tensor_of<Dim>(here.state(k));
+  for (std::size_t e = 0; e < ends; ++e) forces[e] = times<Dim>(sigma, normals[e]);
+  return forces;
 }
 
-/// Where the force of an edge acts: the reference vectors from the particle, and the shares.
-std::vector<SurfacePoint> points_of(const State<2>& s, const SurfaceEdge& edge) {
-  const auto from_particle = [&](const std::array<double, 2>& X) {
-    return Vec<2>{X[0] - s.setup.seeds.X[0][edge.particle], X[1] - s.setup.seeds.X[1][edge.particle]};
+/// Where the force of a piece acts: the reference vectors from the particle, and at which of its ends; -1: at all.
+template <int Dim>
+std::vector<SurfacePoint<Dim>> points_of(const State<Dim>& s, const SurfacePiece<Dim>& piece) {
+  const auto from_particle = [&](const std::array<double, Dim>& X) {
+    Vec<Dim> offset;
+    for (std::size_t d = 0; d < Dim; ++d) offset[d] = X[d] - s.setup.seeds.X[d][piece.particle];
+    return offset;
   };
-  if (s.setup.traction->algorithm == TractionAlgorithm::particles) return {{edge.particle, -1, {}, 1}};
-  if (traits_of<2>(s.method.basis).is_spline()) return {{edge.particle, -1, from_particle(edge.middle), 1}};
-  const auto corner = [&](std::size_t k) { return edge.on_corners ? edge.corners[k] : -1; };
-  return {{edge.particle, corner(0), from_particle(edge.X[0]), 0.5},
-          {edge.particle, corner(1), from_particle(edge.X[1]), 0.5}};
+  const bool at_particles = s.setup.traction->algorithm == TractionAlgorithm::particles;
+  if (at_particles || traits_of<Dim>(s.method.basis).is_spline()) {
+    return {{piece.particle, -1, at_particles ? Vec<Dim>{} : from_particle(piece.middle), -1}};
+  }
+  std::vector<SurfacePoint<Dim>> points;
+  for (std::size_t k = 0; k < SurfacePiece<Dim>::ends; ++k) {
+    const int corner = piece.on_corners ? piece.corners[k] : -1;
+    points.push_back({piece.particle, corner, from_particle(piece.X[k]), static_cast<int>(k)});
+  }
+  return points;
 }
 
 /// x of a point of the surface: where its corner is, or by its particle's F.
-Vec<2> position_of(const State<2>& s, const SurfacePoint& point, bool in_reference) {
+template <int Dim>
+Vec<Dim> position_of(const State<Dim>& s, const SurfacePoint<Dim>& point, bool in_reference) {
   const std::size_t p = point.particle;
+  Vec<Dim> x;
   if (s.has(Column::corners) && point.corner >= 0) {
-    return {s.column(Column::corners, 2 * point.corner)[p], s.column(Column::corners, 2 * point.corner + 1)[p]};
+    for (std::size_t d = 0; d < Dim; ++d) x[d] = s.column(Column::corners, Dim * point.corner + static_cast<int>(d))[p];
+    return x;
   }
-  const Column at = in_reference ? Column::reference_position : Column::position;
-  const Mat<2> F = in_reference ? Mat<2>{1, 0, 0, 1} : s.at<4>(Column::deformation_gradient, p);
-  return {s.column(at, 0)[p] + F[0] * point.offset[0] + F[1] * point.offset[1],
-          s.column(at, 1)[p] + F[2] * point.offset[0] + F[3] * point.offset[1]};
+  x = s.template at<Dim>(in_reference ? Column::reference_position : Column::position, p);
+  for (std::size_t i = 0; i < Dim; ++i) {
+    if (in_reference) x[i] += point.offset[i];
+    for (std::size_t j = 0; !in_reference && j < Dim; ++j)
+      x[i] += s.column(Column::deformation_gradient, i * Dim + j)[p] * point.offset[j];
+  }
+  return x;
 }
 
 /// What the surface gives to the accounts: impulse and its moment.
-void book(State<2>& s, const SurfacePoint& point, double kick) {
-  const Vec<2> x = position_of(s, point, false);
-  for (std::size_t d = 0; d < 2; ++d) s.ledger.impulse[d] += kick * point.force[d];
-  s.ledger.angular_impulse += kick * (x[0] * point.force[1] - x[1] * point.force[0]);
+template <int Dim>
+void book(State<Dim>& s, const SurfacePoint<Dim>& point, double kick) {
+  for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] += kick * point.force[d];
+  add_moment(s.ledger.angular_impulse, kick, position_of(s, point, false), point.force);
 }
 
-/// Forces of the edges, shared out to the points of the surface.
-void load_points(State<2>& s, SurfaceLoads& loads, const ExactInstant& field) {
+/// Forces of the pieces, shared out to the points of the surface.
+template <int Dim>
+void load_points(State<Dim>& s, SurfaceLoads<Dim>& loads, const InstantOf<Dim>& field) {
   std::size_t k = 0;
-  const std::vector<SurfaceEdge>& surface = s.setup.seeds.surface;
-  for (std::size_t e = 0; e < surface.size(); ++e) {
-    const SurfaceEdge& edge = surface[e];
-    const Vec<2> force = force_on(s, edge, field, e);
-    for (; k < loads.points.size() && loads.points[k].edge == &edge; ++k) {
-      SurfacePoint& point = loads.points[k];
-      point.force = {point.share * force[0], point.share * force[1]};
+  const std::vector<SurfacePiece<Dim>>& surface = s.setup.seeds.surface;
+  for (std::size_t begin = 0; begin < surface.size(); begin += block_size) {
+    const std::size_t end = std::min(surface.size(), begin + block_size);
+    const auto& here = field.window(begin, end);
+    for (std::size_t e = begin; e < end; ++e) {
+      const auto forces = forces_on(s, surface[e], here, e);
+      for (; k < loads.points.size() && loads.points[k].piece == &surface[e]; ++k) {
+        SurfacePoint<Dim>& point = loads.points[k];
+        if (point.end >= 0) {
+          point.force = forces[static_cast<std::size_t>(point.end)];
+          continue;
+        }
+        point.force = {};
+        for (const Vec<Dim>& force : forces) {
+          for (std::size_t d = 0; d < Dim; ++d) point.force[d] += force[d];
+        }
+      }
     }
   }
 }
 
-/// At the middles of the edges.
-std::shared_ptr<ExactInstant> field_of(const State<2>& s) {
-  std::vector<double> X, Y;
-  for (const SurfaceEdge& edge : s.setup.seeds.surface) X.push_back(edge.middle[0]), Y.push_back(edge.middle[1]);
-  return s.setup.exact->instant({X, Y}, {.stress = true});
-}
+/// The middles of the pieces, and the exact fields there.
+template <int Dim>
+struct Middles {
+  std::array<std::vector<double>, Dim> X;
+  std::shared_ptr<InstantOf<Dim>> field;
 
-void find_loads(State<2>& s) {
-  std::vector<SurfacePoint> points;
-  for (const SurfaceEdge& edge : s.setup.seeds.surface) {
-    for (SurfacePoint& point : points_of(s, edge)) {
-      point.edge = &edge;
+  explicit Middles(const State<Dim>& s) {
+    std::array<std::span<const double>, Dim> places;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      for (const SurfacePiece<Dim>& piece : s.setup.seeds.surface) X[d].push_back(piece.middle[d]);
+      places[d] = X[d];
+    }
+    field = fields_at<Dim>(s, places, {.stress = true});
+  }
+};
+
+template <int Dim>
+void find_loads(State<Dim>& s) {
+  std::vector<SurfacePoint<Dim>> points;
+  for (const SurfacePiece<Dim>& piece : s.setup.seeds.surface) {
+    for (SurfacePoint<Dim>& point : points_of(s, piece)) {
+      point.piece = &piece;
       points.push_back(point);
     }
   }
@@ -107,8 +193,9 @@ void find_loads(State<2>& s) {
 }
 
 /// Tractions of the exact motion to the grid's forces; with accounts their impulse, too.
-Pass<2> traction_pass(const Method& method, const Traction& traction, bool accounts) {
-  Pass<2> pass;
+template <int Dim>
+Pass<Dim> traction_pass(const Method& method, const Traction& traction, bool accounts) {
+  Pass<Dim> pass;
   pass.name = "traction";
   pass.slot = {Phase::forces, Part::last};
   pass.stages = Stages::kicks;
@@ -119,19 +206,19 @@ Pass<2> traction_pass(const Method& method, const Traction& traction, bool accou
                                                                         : "sigma n ds");
   pass.reads = {Column::position};
   if (!method.is_total() || !reference) pass.reads.push_back(Column::deformation_gradient);
-  if (traits_of<2>(method.basis).moves_corners) pass.reads.push_back(Column::corners);
+  if (traits_of<Dim>(method.basis).moves_corners) pass.reads.push_back(Column::corners);
   pass.grid_fields = {"force"};
-  pass.bind = [accounts](State<2>& s) -> Kernel {
+  pass.bind = [accounts](State<Dim>& s) -> Kernel {
     find_loads(s);
-    auto& loads = s.own<SurfaceLoads>();
-    s.markers.emplace_back([&loads](LiveNodes<2>& live) {  // what nodes of their own were given is yet to be cleared
+    auto& loads = s.template own<SurfaceLoads<Dim>>();
+    s.markers.emplace_back([&loads](LiveNodes<Dim>& live) {  // what nodes of their own were given is yet to be cleared
       for (std::size_t k = 0; k < loads.points.size(); ++k) live.mark(loads.reach(k));
     });
-    return [&s, &loads, accounts, field = field_of(s)](const Instant& now) {
-      field->set_time(time_of_forces(s.method, now));
-      load_points(s, loads, *field);
+    return [&s, &loads, accounts, middles = std::make_shared<Middles<Dim>>(s)](const Instant& now) {
+      middles->field->set_time(time_of_forces(s.method, now));
+      load_points(s, loads, *middles->field);
       for (std::size_t k = 0; k < loads.points.size(); ++k) {
-        SurfacePoint& point = loads.points[k];
+        SurfacePoint<Dim>& point = loads.points[k];
         if (!loads.place(k, position_of(s, point, s.method.is_total()))) {
           s.finding = Finding{Finding::Kind::unstable, "a point of the surface left the grid", point.particle};
           return;
@@ -147,8 +234,9 @@ Pass<2> traction_pass(const Method& method, const Traction& traction, bool accou
 }
 
 /// Work of the tractions with the velocity that they leave.
-Pass<2> traction_work_pass() {
-  Pass<2> pass;
+template <int Dim>
+Pass<Dim> traction_work_pass() {
+  Pass<Dim> pass;
   pass.name = "traction_work";
   pass.slot = {Phase::grid, Part::last};
   pass.stages = Stages::kicks;
@@ -156,11 +244,13 @@ Pass<2> traction_work_pass() {
   pass.called_for_by = "output.accounts";
   pass.effects = {"energy_account"};
   pass.grid_fields = {"velocity"};
-  pass.bind = [](State<2>& s) -> Kernel {
-    return [&s, &loads = s.own<SurfaceLoads>()](const Instant& now) {
+  pass.bind = [](State<Dim>& s) -> Kernel {
+    return [&s, &loads = s.template own<SurfaceLoads<Dim>>()](const Instant& now) {
       for (std::size_t k = 0; k < loads.points.size(); ++k) {
-        const Vec<2> v = loads.velocity(k, s.motion.data()), &f = loads.points[k].force;
-        s.ledger.external_work += now.kick * (f[0] * v[0] + f[1] * v[1]);
+        const Vec<Dim> v = loads.velocity(k, s.motion.data()), &f = loads.points[k].force;
+        double power = 0;
+        for (std::size_t d = 0; d < Dim; ++d) power += f[d] * v[d];
+        s.ledger.external_work += now.kick * power;
       }
     };
   };
@@ -169,9 +259,10 @@ Pass<2> traction_work_pass() {
 
 }  // namespace
 
-std::vector<Pass<2>> traction_passes(const Setup<2>& setup) {
-  std::vector<Pass<2>> passes{traction_pass(setup.method, *setup.traction, setup.accounts)};
-  if (setup.accounts) passes.push_back(traction_work_pass());
+template <int Dim>
+std::vector<Pass<Dim>> traction_passes(const Setup<Dim>& setup) {
+  std::vector<Pass<Dim>> passes{traction_pass<Dim>(setup.method, *setup.traction, setup.accounts)};
+  if (setup.accounts) passes.push_back(traction_work_pass<Dim>());
   return passes;
 }
 
@@ -180,7 +271,7 @@ EffectRecord<Dim> edge_traction_effect() {
   return traction_effect<Dim, TractionAlgorithm::edges>(50, "tractions by the corners of the domains on the surface");
 }
 
-template EffectRecord<2> edge_traction_effect();
-template EffectRecord<3> edge_traction_effect();
+template EffectRecord<ASSAY_DIMENSION> edge_traction_effect();
+template std::vector<Pass<ASSAY_DIMENSION>> traction_passes(const Setup<ASSAY_DIMENSION>&);
 
 }  // namespace assay::mpm

@@ -14,7 +14,8 @@ namespace {
 /// Sums of one block, added up in the order of the blocks.
 struct BlockSums {
   std::array<double, 3> impulse{};
-  double torque = 0, internal = 0, external = 0;
+  std::array<double, 3> torque{};
+  double internal = 0, external = 0;
 };
 
 template <int Dim>
@@ -24,8 +25,7 @@ BlockSums sums_of_block(const State<Dim>& s, bool with_body_force, std::size_t b
     const double m = s.column(Column::mass)[p];
     if (with_body_force) {
       for (int d = 0; d < Dim; ++d) sums.impulse[static_cast<std::size_t>(d)] += m * s.column(Column::body_force, d)[p];
-      sums.torque += m * (s.column(Column::position, 0)[p] * s.column(Column::body_force, 1)[p] -
-                          s.column(Column::position, 1)[p] * s.column(Column::body_force, 0)[p]);
+      add_moment(sums.torque, m, s.template at<Dim>(Column::position, p), s.template at<Dim>(Column::body_force, p));
     }
     const Mat<Dim> F = s.template at<Dim * Dim>(Column::deformation_gradient, p);
     Mat<Dim> L = s.template at<Dim * Dim>(Column::velocity_gradient, p);
@@ -33,7 +33,8 @@ BlockSums sums_of_block(const State<Dim>& s, bool with_body_force, std::size_t b
     double power = 0, taken = 0;                                          // sigma : L
     const bool virtual_stress = s.has(Column::excess_stress);
     for (int c = 0; c < Dim * Dim; ++c) {
-      const double sigma = s.column(Column::stress, c)[p], rate = L[static_cast<std::size_t>(c)];
+      const std::size_t row = stress_index<Dim>(static_cast<std::size_t>(c / Dim), static_cast<std::size_t>(c % Dim));
+      const double sigma = s.column(Column::stress, row)[p], rate = L[static_cast<std::size_t>(c)];
       power += sigma * rate;
       if (virtual_stress) taken += (sigma - s.column(Column::excess_stress, c)[p]) * rate;
     }
@@ -65,27 +66,36 @@ bool rates_follow_kick(const Method& method) {
 /// move with the body; MUSL maps a second time; images take up a moment; inertia reaches particles before.
 template <int Dim>
 bool counts_grid_angular_momentum(const Setup<Dim>& setup) {
-  return Dim == 2 && !setup.method.is_total() && setup.method.update != Update::musl && !setup.method.has_stages() &&
+  return !setup.method.is_total() && setup.method.update != Update::musl && !setup.method.has_stages() &&
          !setup.has_images() && !setup.hold_outside && setup.inertia == Inertia::grid;
 }
 
 template <int Dim>
 void count_grid_angular_momentum(State<Dim>& s) {
   const GridGeometry<Dim>& grid = s.setup.grid;
-  double sum = 0, scale = 0;
-  const auto across = static_cast<std::size_t>(grid.count[0]);
+  std::array<double, 3> sum{};
+  double scale = 0;
   s.live.each([&](std::size_t i) {
-    const double x = grid.coordinate(0, static_cast<std::int32_t>(i % across));
-    const double y = grid.coordinate(1, static_cast<std::int32_t>(i / across));
-    const double* mv = s.inertia.node(i) + 1;
-    const double moment = x * mv[1] - y * mv[0];
-    sum += moment, scale += std::abs(moment);
+    std::array<double, Dim> x, mv;
+    std::size_t rest = i;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto across = static_cast<std::size_t>(grid.count[d]);
+      x[d] = grid.coordinate(static_cast<int>(d), static_cast<std::int32_t>(rest % across));
+      rest /= across;
+      mv[d] = s.inertia.node(i)[1 + d];
+    }
+    std::array<double, 3> moment{};
+    add_moment(moment, 1, x, mv);
+    for (std::size_t d = 0; d < 3; ++d) sum[d] += moment[d];
+    scale += Dim == 2 ? std::abs(moment[2]) : std::hypot(moment[0], moment[1], moment[2]);
   });
   Ledger& ledger = s.ledger;
   if (!ledger.grid_angular) ledger.grid_angular = sum;
   ledger.grid_angular_scale = larger(ledger.grid_angular_scale, scale);
-  ledger.grid_angular_defect =
-      larger(ledger.grid_angular_defect, std::abs(sum - *ledger.grid_angular - ledger.angular_impulse_before));
+  for (std::size_t d = 0; d < 3; ++d) {
+    ledger.grid_angular_defect = larger(
+        ledger.grid_angular_defect, std::abs(sum[d] - (*ledger.grid_angular)[d] - ledger.angular_impulse_before[d]));
+  }
   ledger.angular_impulse_before = ledger.angular_impulse;
 }
 
@@ -104,12 +114,14 @@ Kernel accounts_kernel(State<Dim>& s, bool with_body_force, bool works_after_kic
   const bool turns = counts_grid_angular_momentum(s.setup);
   const auto book = [&s, blocks, particle_mass, works_after_kick, turns](const Instant& now, const auto&) {
     for (const BlockSums& sums : *blocks) {
-      for (std::size_t d = 0; d < 3; ++d) s.ledger.impulse[d] += now.kick * sums.impulse[d];
-      s.ledger.angular_impulse += now.kick * sums.torque;
+      for (std::size_t d = 0; d < 3; ++d) {
+        s.ledger.impulse[d] += now.kick * sums.impulse[d];
+        s.ledger.angular_impulse[d] += now.kick * sums.torque[d];
+      }
       s.ledger.internal_work += now.kick * sums.internal;
       s.ledger.external_work += now.kick * sums.external;
     }
-    if (turns) count_grid_angular_momentum(s);  // in the plane
+    if (turns) count_grid_angular_momentum(s);
     if (works_after_kick) s.ledger.internal_work += 0.5 * now.kick * power_of_kick(s, now.kick);
     double grid_mass = 0;
     s.live.each([&](std::size_t i) { grid_mass += s.inertia.node(i)[0]; });
@@ -140,9 +152,7 @@ template <int Dim>
 EffectRecord<Dim> energy_account_effect() {
   EffectRecord<Dim> effect{240, "accounts of mass, momentum and energy", "output.accounts"};
   effect.called_for = [](const Setup<Dim>& s) { return s.accounts; };
-  effect.passes = [](const Setup<Dim>& s) {
-    return std::vector{accounts_pass<Dim>(s.method, Dim == 2 && s.body_force)};
-  };
+  effect.passes = [](const Setup<Dim>& s) { return std::vector{accounts_pass<Dim>(s.method, s.body_force)}; };
   effect.around = "sums over the particles, and checks of them";
   return effect;
 }

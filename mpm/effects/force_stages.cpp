@@ -10,7 +10,7 @@ EffectRecord<Dim> force_stages_effect() {
   effect.called_for = [](const Setup<Dim>& s) { return s.method.has_stages(); };
   effect.passes = [](const Setup<Dim>& s) {
     std::vector<Pass<Dim>> passes = inversion_passes(s);
-    passes.push_back(force_pass<Dim>(s.method, Dim == 2 && s.body_force));
+    passes.push_back(force_pass<Dim>(s.method, s.body_force));
     return passes;
   };
   effect.grid_fields = inversion_fields<Dim>;

@@ -2,6 +2,8 @@
 // The inertia of the exact motion given to the particles themselves, so that the grid carries the rest of b alone.
 #include "mpm/effects/body_force.hpp"
 
+#include <algorithm>
+
 #include "mpm/data/blocks.hpp"
 #include "mpm/kernels/affine.hpp"
 #include "mpm/kernels/kernel_state.hpp"
@@ -11,59 +13,72 @@ namespace assay::mpm {
 namespace {
 
 /// d a_i / d x_j by the particle's own F, or by X.
-Mat<2> gradient_of(const State<2>& s, std::size_t p, const Mat<2>& by_reference) {
+template <int Dim>
+Mat<Dim> gradient_of(const State<Dim>& s, std::size_t p, const Mat<Dim>& by_reference) {
   if (s.method.is_total()) return by_reference;
-  Mat<2> F;
-  for (std::size_t c = 0; c < F.size(); ++c) F[c] = s.column(Column::deformation_gradient, static_cast<int>(c))[p];
-  return product<2>(by_reference, inverse<2>(F));
+  return product<Dim>(by_reference, inverse<Dim>(s.template at<Dim * Dim>(Column::deformation_gradient, p)));
 }
 
-void give(State<2>& s, const ExactInstant& field, double kick, std::size_t begin, std::size_t end) {
-  const auto v = components<2>(s, Column::velocity), b = components<2>(s, Column::body_force);
+template <int Dim>
+void give(State<Dim>& s, const InstantOf<Dim>& field, double kick, std::size_t begin, std::size_t end) {
+  const auto v = components<Dim>(s, Column::velocity), b = components<Dim>(s, Column::body_force);
+  const auto& here = field.window(begin, end);
   for (std::size_t p = begin; p < end; ++p) {
-    const PlaneInertia inertia = field.inertia(p);
-    for (std::size_t d = 0; d < 2; ++d) {
+    const FieldInertia<Dim> inertia = here.inertia(p);
+    for (std::size_t d = 0; d < Dim; ++d) {
       v[d][p] += kick * inertia.a[d];
       b[d][p] -= inertia.a[d];
     }
     if (!s.method.is_affine()) continue;
-    const auto C = components<4>(s, affine_column(s.method));
-    const Mat<2> gradient = gradient_of(s, p, inertia.gradient);
+    const auto C = components<Dim * Dim>(s, affine_column(s.method));
+    const Mat<Dim> gradient = gradient_of<Dim>(s, p, inertia.gradient);
     for (std::size_t c = 0; c < gradient.size(); ++c) C[c][p] += kick * gradient[c];
   }
 }
 
 /// What the particles were given, from the velocities after it.
-void account(State<2>& s, const ExactInstant& field, double kick) {
-  const auto v = components<2>(s, Column::velocity), x = components<2>(s, Column::position);
-  for (std::size_t p = 0; p < s.particles; ++p) {
-    const double m = kick * s.column(Column::mass)[p];
-    const auto a = field.inertia(p).a;
-    for (std::size_t d = 0; d < 2; ++d) {
-      s.ledger.impulse[d] += m * a[d];
-      s.ledger.external_work += m * a[d] * (v[d][p] - 0.5 * kick * a[d]);
+template <int Dim>
+void account(State<Dim>& s, const InstantOf<Dim>& field, double kick) {
+  const auto v = components<Dim>(s, Column::velocity), x = components<Dim>(s, Column::position);
+  for (std::size_t begin = 0; begin < s.particles; begin += block_size) {
+    const std::size_t end = std::min(s.particles, begin + block_size);
+    const auto& here = field.window(begin, end);
+    for (std::size_t p = begin; p < end; ++p) {
+      const double m = kick * s.column(Column::mass)[p];
+      const auto a = here.acceleration(p);
+      for (std::size_t d = 0; d < Dim; ++d) {
+        s.ledger.impulse[d] += m * a[d];
+        s.ledger.external_work += m * a[d] * (v[d][p] - 0.5 * kick * a[d]);
+      }
+      add_moment(s.ledger.angular_impulse, m, load(x, p), a);
     }
-    s.ledger.angular_impulse += m * (x[0][p] * a[1] - x[1][p] * a[0]);
   }
 }
 
-Kernel inertia_kernel(State<2>& s, bool accounts) {
-  const ExactPoints points{std::span(s.column(Column::reference_position, 0), s.particles),
-                           std::span(s.column(Column::reference_position, 1), s.particles)};
-  const ExactSolutionPtr seen = s.setup.frame ? seen_from(*s.setup.frame, s.setup.exact) : s.setup.exact;
-  const std::shared_ptr<ExactInstant> field = seen->instant(points, {.inertia = true});
+template <int Dim>
+Kernel inertia_kernel(State<Dim>& s, bool accounts) {
+  std::shared_ptr<InstantOf<Dim>> field;
+  if constexpr (Dim == 2) {
+    const ExactPoints points{std::span(s.column(Column::reference_position, 0), s.particles),
+                             std::span(s.column(Column::reference_position, 1), s.particles)};
+    const ExactSolutionPtr seen = s.setup.frame ? seen_from(*s.setup.frame, s.setup.exact) : s.setup.exact;
+    field = seen->instant(points, {.inertia = true});
+  } else {
+    field = fields_of_particles<Dim>(s, {.inertia = true});
+  }
   return [&s, field, accounts](const Instant& now) {
     field->set_time(now.t);
     for_blocks(s.particles, s.setup.threads,
-               [&](std::size_t begin, std::size_t end) { give(s, *field, now.kick, begin, end); });
-    if (accounts) account(s, *field, now.kick);
+               [&](std::size_t begin, std::size_t end) { give<Dim>(s, *field, now.kick, begin, end); });
+    if (accounts) account<Dim>(s, *field, now.kick);
   };
 }
 
 }  // namespace
 
-Pass<2> inertia_pass(const Method& method, bool accounts) {
-  Pass<2> pass;
+template <int Dim>
+Pass<Dim> inertia_pass(const Method& method, bool accounts) {
+  Pass<Dim> pass;
   pass.name = "inertia_to_particles";
   pass.slot = {Phase::inertia};
   pass.doc = "a of the exact motion to the particles; b - a is left for the grid";
@@ -75,21 +90,19 @@ Pass<2> inertia_pass(const Method& method, bool accounts) {
     if (!method.is_total()) pass.reads.push_back(Column::deformation_gradient);
   }
   if (accounts) pass.reads.insert(pass.reads.end(), {Column::mass, Column::position});
-  pass.bind = [accounts](State<2>& s) { return inertia_kernel(s, accounts); };
+  pass.bind = [accounts](State<Dim>& s) { return inertia_kernel(s, accounts); };
   return pass;
 }
 
 template <int Dim>
 EffectRecord<Dim> inertia_to_particles_effect() {
   EffectRecord<Dim> effect{40, "particles get the acceleration of the exact motion", "force.inertia"};
-  effect.called_for = [](const Setup<Dim>& s) { return Dim == 2 && s.body_force && s.inertia == Inertia::particles; };
-  if constexpr (Dim == 2) {
-    effect.passes = [](const Setup<Dim>& s) { return std::vector{inertia_pass(s.method, s.accounts)}; };
-  }
+  effect.called_for = [](const Setup<Dim>& s) { return s.body_force && s.inertia == Inertia::particles; };
+  effect.passes = [](const Setup<Dim>& s) { return std::vector{inertia_pass<Dim>(s.method, s.accounts)}; };
   return effect;
 }
 
-template EffectRecord<2> inertia_to_particles_effect();
-template EffectRecord<3> inertia_to_particles_effect();
+template EffectRecord<ASSAY_DIMENSION> inertia_to_particles_effect();
+template Pass<ASSAY_DIMENSION> inertia_pass(const Method&, bool);
 
 }  // namespace assay::mpm

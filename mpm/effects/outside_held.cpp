@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nodes outside the ring stand still, and particles that never move give the grid their mass.
+// Nodes outside the vortex stand still, and particles that never move give the grid their mass.
 #include <array>
 #include <cmath>
+#include <functional>
 
+#include "harness/motion/kinds/vortex3d.hpp"
 #include "mpm/setup/with_basis.hpp"
 #include "mpm/step/effect.hpp"
 #include "mpm/step/passes.hpp"
@@ -11,22 +13,35 @@ namespace assay::mpm {
 
 namespace {
 
+/// Whether a place is outside the vortex or on its edge, which stands still.
+std::function<bool(const Vector3&)> outside_of(const Motion& motion) {
+  if (const auto ring = ring_of(motion)) {
+    return [ring = *ring](const Vector3& x) {
+      const double R = std::sqrt(x.x() * x.x() + x.y() * x.y());
+      return R <= ring.inner || R >= ring.outer;
+    };
+  }
+  return [finder = VortexFinder(*motion.as<Vortex3d>())](const Vector3& x) {
+    const auto place = finder.place(x);
+    return !place || place->profile.h == 0;
+  };
+}
+
 template <int Dim>
 std::vector<std::uint32_t> held_nodes(const Setup<Dim>& setup) {
-  const Annulus ring = *ring_of(*setup.motion);
+  const auto outside = outside_of(*setup.motion);
   const GridGeometry<Dim>& grid = setup.grid;
   std::vector<std::uint32_t> nodes;
   for (std::size_t i = 0; i < grid.nodes(); ++i) {
     std::size_t rest = i;
-    double square = 0;
+    Vector3 x = Vector3::Zero();
     for (int d = 0; d < Dim; ++d) {
       const auto count = static_cast<std::size_t>(grid.count[static_cast<std::size_t>(d)]);
-      const double x = grid.coordinate(d, static_cast<std::int32_t>(rest % count));
-      if (d < 2) square += x * x;
+      x(d) = grid.coordinate(d, static_cast<std::int32_t>(rest % count));
       rest /= count;
     }
-    const double R = std::sqrt(square);
-    if (R <= ring.inner || R >= ring.outer) nodes.push_back(static_cast<std::uint32_t>(i));
+    if (Dim == 3 && setup.frame) x = setup.frame->body_point(x);
+    if (outside(x)) nodes.push_back(static_cast<std::uint32_t>(i));
   }
   return nodes;
 }
@@ -72,12 +87,12 @@ void hold_nodes(State<Dim>& s, const Held& held, Reaction reaction, double kick)
   for (std::size_t d = 0; d < Dim; ++d) s.ledger.impulse[d] -= taken[d];
 }
 
-/// v_i = a_i = 0 on nodes outside the ring; the reaction enters the momentum account.
+/// v_i = a_i = 0 on nodes outside the vortex; the reaction enters the momentum account.
 template <int Dim>
 Pass<Dim> hold_nodes_pass(Phase phase, Reaction reaction) {
   return {{.name = "hold_nodes",
            .slot = {phase, Part::hold},
-           .doc = "nodes outside the ring stand still",
+           .doc = "nodes outside the vortex stand still",
            .grid_fields = {"mass", "velocity", "acceleration"}},
           [reaction](State<Dim>& s) -> Kernel {
             return [&s, &held = s.template own<Held>(), reaction](const Instant& now) {
@@ -101,7 +116,7 @@ std::vector<Pass<Dim>> holding_passes(const Setup<Dim>& setup) {
 
 template <int Dim>
 EffectRecord<Dim> outside_held_effect() {
-  EffectRecord<Dim> effect{100, "nodes and particles outside the ring are fixed", "body.outside"};
+  EffectRecord<Dim> effect{100, "nodes and particles outside the vortex are fixed", "body.outside"};
   effect.called_for = [](const Setup<Dim>& s) { return s.hold_outside; };
   effect.passes = holding_passes<Dim>;
   effect.grid_fields = [](const Setup<Dim>&) {

@@ -8,7 +8,6 @@ EffectRecord<Dim> particle_traction_effect() {
   return traction_effect<Dim, TractionAlgorithm::particles>(70, "tractions at the particles of the surface");
 }
 
-template EffectRecord<2> particle_traction_effect();
-template EffectRecord<3> particle_traction_effect();
+template EffectRecord<ASSAY_DIMENSION> particle_traction_effect();
 
 }  // namespace assay::mpm

@@ -10,7 +10,7 @@ EffectRecord<Dim> stress_first_effect() {
   effect.called_for = [](const Setup<Dim>& s) { return s.method.update == Update::usf; };
   effect.passes = [](const Setup<Dim>& s) {
     return std::vector{grid_velocity_pass<Dim>(s.method), velocity_gradient_pass<Dim>(s.method),
-                       force_pass<Dim>(s.method, Dim == 2 && s.body_force)};
+                       force_pass<Dim>(s.method, s.body_force)};
   };
   return effect;
 }

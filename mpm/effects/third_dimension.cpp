@@ -5,7 +5,7 @@ namespace assay::mpm {
 
 template <int Dim>
 EffectRecord<Dim> third_dimension_effect() {
-  EffectRecord<Dim> effect{250, "particles in space; scenes are plane strain", ""};
+  EffectRecord<Dim> effect{250, "particles in space, not in plane strain", ""};
   effect.called_for = [](const Setup<Dim>& s) { return s.seeds.X.size() > 2; };
   return effect;
 }

@@ -9,7 +9,6 @@ EffectRecord<Dim> undeformed_traction_effect() {
                                                                    "tractions by the undeformed length of the edges");
 }
 
-template EffectRecord<2> undeformed_traction_effect();
-template EffectRecord<3> undeformed_traction_effect();
+template EffectRecord<ASSAY_DIMENSION> undeformed_traction_effect();
 
 }  // namespace assay::mpm

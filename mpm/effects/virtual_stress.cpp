@@ -6,31 +6,55 @@
 
 namespace assay::mpm {
 
-Pass<2> virtual_stress_pass(TractionForm form) {
-  Pass<2> pass;
+namespace {
+
+/// Cauchy's, row-major, in space of its six components.
+template <int Dim>
+Mat<Dim> tensor_of_stress(const auto& sigma) {
+  Mat<Dim> found;
+  for (std::size_t c = 0; c < found.size(); ++c) found[c] = sigma[stress_index<Dim>(c / Dim, c % Dim)];
+  return found;
+}
+
+template <int Dim>
+Mat<Dim> transposed_of(const Mat<Dim>& A) {
+  Mat<Dim> found;
+  for (std::size_t c = 0; c < found.size(); ++c) found[c] = A[c % Dim * Dim + c / Dim];
+  return found;
+}
+
+}  // namespace
+
+template <int Dim>
+Pass<Dim> virtual_stress_pass(TractionForm form) {
+  Pass<Dim> pass;
   pass.name = "virtual_stress";
   pass.stages = Stages::kicks;
   pass.doc = form == TractionForm::reference ? "the particles' stress without that of the exact P"
                                              : "the particles' stress without that of the exact motion";
   pass.reads = {Column::reference_position, Column::deformation_gradient, Column::stress};
   pass.writes = {Column::excess_stress};
-  pass.bind = [form](State<2>& s) -> Kernel {
+  pass.bind = [form](State<Dim>& s) -> Kernel {
     s.stress_of_forces = Column::excess_stress;
-    const auto field = fields_of_particles(s, {.stress = true});
+    const auto field = fields_of_particles<Dim>(s, {.stress = true});
     Kernel kernel;
     kernel.begin = [&s, field](const Instant& now) { field->set_time(time_of_forces(s.method, now)); };
     kernel.block = [&s, field, form](const Instant&, const Block& block) {
-      const auto sigma = components<5>(s, Column::stress), excess = components<5>(s, Column::excess_stress);
+      const auto sigma = components<stress_components<Dim>>(s, Column::stress);
+      const auto excess = components<Dim * Dim>(s, Column::excess_stress);
+      const auto& here = field->window(block.begin, block.end);
       for (std::size_t p = block.begin; p < block.end; ++p) {
-        const PlaneState exact = field->state(p);
-        Mat<2> taken{exact.sigma[0], exact.sigma[1], exact.sigma[2], exact.sigma[3]};
+        const FieldState<Dim> exact = here.state(p);
+        Mat<Dim> taken = tensor_of_stress<Dim>(exact.sigma);
         if (form == TractionForm::reference) {  // P F^T / J with the particle's own F
-          const Mat<2> F = s.at<4>(Column::deformation_gradient, p), own = product<2>(F, inverse<2>(exact.F));
-          const double ratio = determinant<2>(exact.F) / determinant<2>(F);
-          taken = product<2>(taken, {own[0], own[2], own[1], own[3]});  // J_e sigma_e F_e^-T F^T / J
+          const Mat<Dim> F = s.template at<Dim * Dim>(Column::deformation_gradient, p);
+          const double ratio = determinant<Dim>(exact.F) / determinant<Dim>(F);
+          // J_e sigma_e F_e^-T F^T / J
+          taken = product<Dim>(taken, transposed_of<Dim>(product<Dim>(F, inverse<Dim>(exact.F))));
           for (double& component : taken) component *= ratio;
         }
-        for (std::size_t c = 0; c < 4; ++c) excess[c][p] = sigma[c][p] - taken[c];
+        const Mat<Dim> own = tensor_of_stress<Dim>(load(sigma, p));
+        for (std::size_t c = 0; c < taken.size(); ++c) excess[c][p] = own[c] - taken[c];
       }
       return none_bad;
     };
@@ -41,11 +65,12 @@ Pass<2> virtual_stress_pass(TractionForm form) {
 
 namespace {
 
-std::vector<Pass<2>> virtual_stress_passes(const Setup<2>& setup) {
-  std::vector<Pass<2>> passes{virtual_stress_pass(setup.traction->form)};
+template <int Dim>
+std::vector<Pass<Dim>> virtual_stress_passes(const Setup<Dim>& setup) {
+  std::vector<Pass<Dim>> passes{virtual_stress_pass<Dim>(setup.traction->form)};
   passes.front().slot = {setup.method.update == Update::usf ? Phase::forces : Phase::to_grid, Part::first};
   if (setup.body_force && setup.inertia != Inertia::particles) {
-    passes.push_back(inertia_pass(setup.method, setup.accounts));
+    passes.push_back(inertia_pass<Dim>(setup.method, setup.accounts));
   }
   return passes;
 }
@@ -56,15 +81,15 @@ template <int Dim>
 EffectRecord<Dim> virtual_stress_effect() {
   EffectRecord<Dim> effect{60, "tractions as the exact stress, continued beyond the surface", "traction.algorithm"};
   effect.called_for = [](const Setup<Dim>& s) { return has_traction(s, TractionAlgorithm::virtual_stress); };
-  if constexpr (Dim == 2) effect.passes = virtual_stress_passes;
+  effect.passes = virtual_stress_passes<Dim>;
   effect.columns = {{Column::excess_stress, "excess_stress", "Pa",
                      "Cauchy stress without its exact extension, which virtual_stress takes off",
-                     [](const Setup<Dim>&) { return doubles(stress_components<Dim>); }}};
+                     [](const Setup<Dim>&) { return doubles(excess_components<Dim>); }}};
   effect.asks_material = true;
   return effect;
 }
 
-template EffectRecord<2> virtual_stress_effect();
-template EffectRecord<3> virtual_stress_effect();
+template EffectRecord<ASSAY_DIMENSION> virtual_stress_effect();
+template Pass<ASSAY_DIMENSION> virtual_stress_pass(TractionForm);
 
 }  // namespace assay::mpm

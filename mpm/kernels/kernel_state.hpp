@@ -61,10 +61,11 @@ ASSAY_INLINE std::array<double, N> load(const std::array<double*, N>& column, st
   return values;
 }
 
-/// Index of component (i, d) of the stress column: in plane strain 11, 12, 21, 22 come before 33.
+/// Index of component (i, d) of the stress column.
 template <int Dim>
 constexpr std::size_t stress_index(std::size_t i, std::size_t d) {
-  return i * Dim + d;
+  constexpr std::size_t in_space[] = {0, 3, 4, 3, 1, 5, 4, 5, 2};
+  return Dim == 2 ? i * Dim + d : in_space[i * Dim + d];
 }
 
 }  // namespace assay::mpm

@@ -10,6 +10,7 @@
 #include "mpm/data/blocks.hpp"
 #include "mpm/data/instructions.hpp"
 #include "mpm/kernels/kernel_state.hpp"
+#include "mpm/kernels/mass_rows.hpp"
 #include "mpm/setup/method.hpp"
 
 namespace assay::mpm {
@@ -50,6 +51,8 @@ struct Kernels {
   BlockKernel<Dim> first_moment = nullptr;
   /// force += M x, x of Dim components a node in packs.
   void (*multiply_mass)(const KernelState<Dim>&, const Block&, const double* x) = nullptr;
+  /// Rows of M += those of the block's particles; null of a basis that reaches different numbers of nodes.
+  void (*add_mass_rows)(const KernelState<Dim>&, const Block&, const MassRows&) = nullptr;
 };
 
 /// In three dimensions always the first set.

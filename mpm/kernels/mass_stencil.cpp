@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "mpm/data/crew.hpp"
 
@@ -40,15 +41,32 @@ std::size_t MassStencil<Dim>::entries(int nodes_across) {
 
 template <int Dim>
 MassStencil<Dim>::MassStencil(const GridGeometry<Dim>& grid, int nodes_across, const Multiply& multiply,
-                              Instructions instructions)
+                              const AddRows& add_rows, Instructions instructions)
     : nodes_(grid.nodes()), nodes_across_(nodes_across), multiply_rows_(multiply_rows_of<Dim>(instructions)) {
   for (std::size_t d = 0; d < Dim; ++d) {
     farthest_ = std::max({farthest_, std::abs(grid.first[d]), std::abs(grid.first[d] + grid.count[d])});
   }
   find_neighbours(grid);
-  find_values(grid, multiply);
-  find_alike();
+  own_.assign(nodes_, 0);
+  kinds_.assign(nodes_, Kind::none);
+  if constexpr (Dim == 2) {
+    find_values(grid, multiply);
+    find_alike();
+  } else {
+    find_rows(grid, multiply, add_rows);
+  }
   find_pieces();
+}
+
+/// Groups of the table for the nodes that are to have rows, in the order of the grid.
+template <int Dim>
+void MassStencil<Dim>::make_room() {
+  std::uint32_t groups = 0;
+  group_.assign((nodes_ + rows_at_once - 1) / rows_at_once, MassRows::no_rows);
+  for (std::size_t i = 0; i < nodes_; ++i) {
+    if (own_[i] && group_[i / rows_at_once] == MassRows::no_rows) group_[i / rows_at_once] = groups++;
+  }
+  values_.assign(groups * offsets_.size() * rows_at_once, 0.0);
 }
 
 template <int Dim>
@@ -68,7 +86,8 @@ void MassStencil<Dim>::find_neighbours(const GridGeometry<Dim>& grid) {
 template <int Dim>
 void MassStencil<Dim>::find_values(const GridGeometry<Dim>& grid, const Multiply& multiply) {
   const int span = 2 * nodes_across_ - 1;
-  values_.assign(offsets_.size() * ((nodes_ + rows_at_once - 1) / rows_at_once) * rows_at_once, 0.0);
+  own_.assign(nodes_, 1);
+  make_room();
   GridField<Dim> x, y;
   x.allocate(nodes_);
   y.allocate(nodes_);
@@ -94,9 +113,91 @@ void MassStencil<Dim>::find_values(const GridGeometry<Dim>& grid, const Multiply
       if (y.node(i)[0] == 0 || !column_of(i, steps)) continue;
       int k = 0;
       for (std::size_t d = Dim; d-- > 0;) k = k * span + steps[d] + nodes_across_ - 1;
-      value(static_cast<std::size_t>(k), i) = y.node(i)[0];
+      rows().row(i)[static_cast<std::size_t>(k) * rows_at_once] = y.node(i)[0];
     }
   }
+}
+
+/// Which nodes are inside the body, where all rows are alike: what they give and what is around them follows from their
+/// sums, first and second moments, which are those of one that has the median of the sums.
+template <int Dim>
+std::vector<bool> MassStencil<Dim>::nodes_inside(const GridGeometry<Dim>& grid, const Multiply& multiply,
+                                                 std::size_t& middle_node, std::vector<bool>& has_mass) const {
+  constexpr double same_sum = 64 * std::numeric_limits<double>::epsilon();
+  GridField<Dim> x, first, second;
+  for (auto* field : {&x, &first, &second}) field->allocate(nodes_);
+  const auto places = [&](std::size_t i) {
+    std::array<double, Dim> at;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      at[d] = static_cast<double>(i % static_cast<std::size_t>(grid.count[d])) - 0.5 * grid.count[d];
+      i /= static_cast<std::size_t>(grid.count[d]);
+    }
+    return at;
+  };
+  const auto fill = [&](const auto& of) {
+    for (std::size_t i = 0; i < nodes_; ++i) {
+      const std::array<double, 3> values = of(places(i));
+      std::copy_n(values.begin(), Dim, x.node(i));
+    }
+  };
+  fill([](const auto& at) {
+    return std::array{1.0, at[0] + 0.7 * at[1] + 0.4 * at[Dim - 1], at[1] - 0.6 * at[Dim - 1]};
+  });
+  multiply(x, first);
+  fill([](const auto& at) { return std::array{at[0] * at[0], at[1] * at[1], at[Dim - 1] * at[Dim - 1]}; });
+  multiply(x, second);
+  std::vector<std::size_t> with_mass;
+  has_mass.assign(nodes_, false);
+  for (std::size_t i = 0; i < nodes_; ++i) {
+    has_mass[i] = first.node(i)[0] != 0;
+    if (has_mass[i]) with_mass.push_back(i);
+  }
+  std::vector<bool> inside(nodes_, false);
+  if (with_mass.empty()) return inside;
+  const auto median = with_mass.begin() + static_cast<std::ptrdiff_t>(with_mass.size() / 2);
+  std::nth_element(with_mass.begin(), median, with_mass.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(first.node(a)[0], a) < std::pair(first.node(b)[0], b);
+  });
+  middle_node = *median;
+  /// Sum, first and second moments about the node itself.
+  const auto moments = [&](std::size_t i) {
+    const auto at = places(i);
+    const double *f = first.node(i), *s = second.node(i), sum = f[0];
+    const double along = (f[1] - (at[0] + 0.7 * at[1] + 0.4 * at[Dim - 1]) * sum) / sum;
+    const double across = (f[2] - (at[1] - 0.6 * at[Dim - 1]) * sum) / sum;
+    double spread = 0;
+    for (std::size_t d = 0; d < Dim; ++d) spread += (1 + 0.1 * static_cast<double>(d)) * (s[d] / sum - at[d] * at[d]);
+    return std::array{sum, along, across, spread};
+  };
+  const auto of_middle = moments(middle_node);
+  const double cells = farthest_;  // of which rounding is amplified in moments
+  for (const std::size_t i : with_mass) {
+    const auto own = moments(i);
+    bool same = std::abs(own[0] - of_middle[0]) <= same_sum * cells * of_middle[0];
+    for (std::size_t k = 1; k < own.size(); ++k) same &= std::abs(own[k] - of_middle[k]) <= same_sum * cells * cells;
+    inside[i] = same;
+  }
+  return inside;
+}
+
+/// Particle by particle, for the nodes alone whose rows are not those of the middle.
+template <int Dim>
+void MassStencil<Dim>::find_rows(const GridGeometry<Dim>& grid, const Multiply& multiply, const AddRows& add_rows) {
+  alike_.assign(offsets_.size(), 0.0);
+  std::size_t middle_node = 0;
+  std::vector<bool> has_mass;
+  const std::vector<bool> inside = nodes_inside(grid, multiply, middle_node, has_mass);
+  const auto reach = static_cast<std::size_t>(offsets_.back());
+  for (std::size_t i = 0; i < nodes_; ++i) {
+    if (!has_mass[i]) continue;
+    const bool at_end = i < reach + rows_at_once || i + reach + rows_at_once > nodes_;
+    kinds_[i] = at_end ? Kind::at_end : inside[i] ? Kind::alike : Kind::own;
+    own_[i] = kinds_[i] != Kind::alike || i == middle_node ? 1 : 0;
+  }
+  make_room();
+  if (values_.empty()) return;
+  add_rows(rows());
+  for (std::size_t k = 0; k < alike_.size(); ++k) alike_[k] = value_of_own(k, middle_node);
 }
 
 /// The row of the node whose diagonal is the median: on a fine grid, of one inside the body.
@@ -104,25 +205,26 @@ template <int Dim>
 void MassStencil<Dim>::find_alike() {
   std::vector<std::size_t> with_mass;
   for (std::size_t i = 0; i < nodes_; ++i) {
-    if (value(middle(), i) != 0) with_mass.push_back(i);
+    if (value_of_own(middle(), i) != 0) with_mass.push_back(i);
   }
   alike_.assign(offsets_.size(), 0.0);
   if (with_mass.empty()) return;
   const auto median = with_mass.begin() + static_cast<std::ptrdiff_t>(with_mass.size() / 2);
   std::nth_element(with_mass.begin(), median, with_mass.end(), [&](std::size_t a, std::size_t b) {
-    return std::pair(value(middle(), a), a) < std::pair(value(middle(), b), b);
+    return std::pair(value_of_own(middle(), a), a) < std::pair(value_of_own(middle(), b), b);
   });
-  for (std::size_t k = 0; k < alike_.size(); ++k) alike_[k] = value(k, *median);
+  for (std::size_t k = 0; k < alike_.size(); ++k) alike_[k] = value_of_own(k, *median);
+  for (std::size_t i = 0; i < nodes_; ++i) kinds_[i] = kind_of(i);
 }
 
 template <int Dim>
 typename MassStencil<Dim>::Kind MassStencil<Dim>::kind_of(std::size_t i) const {
-  if (value(middle(), i) == 0) return Kind::none;
+  if (value_of_own(middle(), i) == 0) return Kind::none;
   const auto reach = static_cast<std::size_t>(offsets_.back());  // the farthest
   if (i < reach + rows_at_once || i + reach + rows_at_once > nodes_) return Kind::at_end;
   const double rounding = same_rows * farthest_ * alike_[middle()];
   for (std::size_t k = 0; k < offsets_.size(); ++k) {
-    if (!(std::abs(value(k, i) - alike_[k]) <= rounding)) return Kind::own;
+    if (!(std::abs(value_of_own(k, i) - alike_[k]) <= rounding)) return Kind::own;
   }
   return Kind::alike;
 }
@@ -131,7 +233,7 @@ typename MassStencil<Dim>::Kind MassStencil<Dim>::kind_of(std::size_t i) const {
 template <int Dim>
 void MassStencil<Dim>::find_pieces() {
   for (std::size_t i = 0; i < nodes_; ++i) {
-    const Kind kind = kind_of(i);
+    const Kind kind = kinds_[i];
     if (kind == Kind::none) continue;
     const bool goes_on = !pieces_.empty() && pieces_.back().end == i && pieces_.back().kind == kind &&
                          i - pieces_.back().begin < nodes_at_once;
@@ -175,7 +277,10 @@ template <int Dim>
 void MassStencil<Dim>::multiply_piece(const Piece& piece, const GridField<Dim>& x, GridField<Dim>& y) const {
   if (piece.kind == Kind::at_end) return multiply_at_end(piece, x, y);
   const bool alike = piece.kind == Kind::alike;
-  multiply_rows_({piece.begin, piece.end, offsets_, alike ? alike_.data() : values_.data(), alike, x.data(), y.data()});
+  const double* values = alike_.data();
+  if (!alike)
+    values = values_.data() + std::size_t{group_[piece.begin / rows_at_once]} * offsets_.size() * rows_at_once;
+  multiply_rows_({piece.begin, piece.end, offsets_, values, alike, x.data(), y.data()});
 }
 
 template <int Dim>

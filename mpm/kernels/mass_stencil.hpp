@@ -11,24 +11,26 @@
 #include "mpm/data/instructions.hpp"
 #include "mpm/grid/grid_field.hpp"
 #include "mpm/grid/grid_geometry.hpp"
+#include "mpm/kernels/mass_rows.hpp"
 
 namespace assay::mpm {
-
-/// Rows of the matrix that are worked on together: of nodes i, i + 1, ... from a multiple of this on.
-inline constexpr std::size_t rows_at_once = 4;
 
 /// Rows of neighbouring nodes, and what they are multiplied by. What lies around them in groups of `rows_at_once` is
 /// read, too, but not written.
 struct StencilRows {
   std::size_t begin = 0, end = 0;           ///< nodes
   std::span<const std::ptrdiff_t> offsets;  ///< nodes from a row's own to the one that entry k is for
-  const double* values = nullptr;           ///< entry k of node i, see `value_at`; or of all, where they are alike
+  const double* values = nullptr;           ///< those of the first group; or one row of all, where they are alike
   bool alike = false;
   const double* from = nullptr;  ///< Dim numbers a node, in packs
   double* to = nullptr;
 
   static std::size_t value_at(std::size_t i, std::size_t k, std::size_t entries) {
     return (i / rows_at_once * entries + k) * rows_at_once + i % rows_at_once;
+  }
+  /// Entry k of node i is at [k * rows_at_once].
+  const double* row(std::size_t i) const {
+    return values + value_at(i - begin / rows_at_once * rows_at_once, 0, offsets.size());
   }
 };
 using MultiplyRows = void (*)(const StencilRows&);
@@ -46,8 +48,12 @@ class MassStencil {
   /// y = M x, one component after the other alike.
   using Multiply = std::function<void(const GridField<Dim>& x, GridField<Dim>& y)>;
 
-  /// The matrix that `multiply` applies, where a particle reaches over so many nodes in each direction.
-  MassStencil(const GridGeometry<Dim>& grid, int nodes_across, const Multiply& multiply,
+  /// Adds the particles' parts to rows.
+  using AddRows = std::function<void(const MassRows& rows)>;
+
+  /// The matrix that `multiply` applies, where a particle reaches over so many nodes in each direction. In space
+  /// `add_rows` makes those of its rows that differ from one inside the body; in the plane all are found by `multiply`.
+  MassStencil(const GridGeometry<Dim>& grid, int nodes_across, const Multiply& multiply, const AddRows& add_rows,
               Instructions instructions = best_instructions());
 
   /// For nodes begin to end - 1, which no other call is given; several at once where there are threads.
@@ -68,6 +74,9 @@ class MassStencil {
   /// Numbers a node of such a matrix.
   static std::size_t entries(int nodes_across);
 
+  /// Of the table of rows.
+  std::size_t bytes() const { return values_.size() * sizeof(double); }
+
  private:
   /// Of the nodes that have mass: with rows that are all `alike_`; with rows of their own; so near the ends of the
   /// grid's nodes that neighbours lie beyond, where rows are zero.
@@ -77,9 +86,20 @@ class MassStencil {
     Kind kind = Kind::none;
   };
   std::size_t middle() const { return offsets_.size() / 2; }
-  double& value(std::size_t k, std::size_t i) { return values_[StencilRows::value_at(i, k, offsets_.size())]; }
-  double value(std::size_t k, std::size_t i) const { return values_[StencilRows::value_at(i, k, offsets_.size())]; }
+  MassRows rows() { return {group_.data(), own_.data(), values_.data(), offsets_.size()}; }
+  double value_of_own(std::size_t k, std::size_t i) const {
+    const std::size_t row = std::size_t{group_[i / rows_at_once]} * offsets_.size() * rows_at_once + i % rows_at_once;
+    return values_[row + k * rows_at_once];
+  }
+  double value(std::size_t k, std::size_t i) const {  ///< of any node
+    if (Dim == 2) return value_of_own(k, i);
+    return kinds_[i] == Kind::none ? 0 : kinds_[i] == Kind::alike ? alike_[k] : value_of_own(k, i);
+  }
   void find_neighbours(const GridGeometry<Dim>& grid);
+  void make_room();
+  void find_rows(const GridGeometry<Dim>& grid, const Multiply& multiply, const AddRows& add_rows);
+  std::vector<bool> nodes_inside(const GridGeometry<Dim>& grid, const Multiply& multiply, std::size_t& middle_node,
+                                 std::vector<bool>& has_mass) const;
   void find_values(const GridGeometry<Dim>& grid, const Multiply& multiply);
   void find_alike();
   Kind kind_of(std::size_t i) const;
@@ -91,7 +111,10 @@ class MassStencil {
   int nodes_across_;
   int farthest_ = 1;                     ///< node from where x = 0 [h]
   std::vector<std::ptrdiff_t> offsets_;  ///< of the neighbours of a node
-  std::vector<double> values_;           ///< M between each node and these [kg]
+  std::vector<double> values_;           ///< M between nodes that have rows of their own and these [kg]
+  std::vector<std::uint32_t> group_;     ///< of the table, for each `rows_at_once` nodes; MassRows::no_rows: none
+  std::vector<unsigned char> own_;       ///< of each node, whether it has a row there
+  std::vector<Kind> kinds_;              ///< of each node
   std::vector<double> alike_;            ///< the row of a node like many others [kg]
   std::vector<Piece> pieces_;
   MultiplyRows multiply_rows_;

@@ -63,7 +63,11 @@ class MassMatrix {
   void assemble() {
     const int across = mass_nodes_across<Dim>(s_->method);
     if (across == 0 || stencil_) return;
-    stencil_.emplace(s_->setup.grid, across, [&](const Field& x, Field& y) { multiply_by_particles(x, y); });
+    const auto add_rows = [&](const MassRows& rows) {
+      kernels_for(*s_).add_mass_rows(*s_, Block{0, s_->particles, nullptr, nullptr}, rows);
+    };
+    stencil_.emplace(
+        s_->setup.grid, across, [&](const Field& x, Field& y) { multiply_by_particles(x, y); }, add_rows);
     if (s_->method.mass == Mass::consistent) inside_.emplace(s_->setup.grid, stencil_->means());
   }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "harness/material/material_failure.hpp"
+#include "harness/motion/kinds/vortex3d.hpp"
 #include "mpm/data/blocks.hpp"
 #include "mpm/data/crew.hpp"
 
@@ -82,16 +83,40 @@ MaterialBatches<Dim>::MaterialBatches(State<Dim>& state) : state_(&state), colum
         instances_[0].initial_state(n, {}, directed ? directions(begin, n) : std::vector<double>());
     std::copy(rest.begin(), rest.end(), columns_.history[0] + begin * state_size);
   }
-  if constexpr (Dim == 2) {
-    if (state.setup.offload) state.setup.offload->place(columns_);
-  }
+  if (state.setup.offload) state.setup.offload->place(columns_);
 }
+
+namespace {
+
+/// At the particles of a motion in space, as the frame sees them at rest. What no vortex holds is never stressed.
+template <int Dim>
+std::vector<double> directions_in_space(const State<Dim>& s, std::size_t begin, std::size_t n) {
+  const Vector3 given(s.setup.material_direction[0], s.setup.material_direction[1], s.setup.material_direction[2]);
+  const Motion* motion = s.setup.motion ? &*s.setup.motion : nullptr;
+  const Vortex3d* vortex = motion ? motion->as<Vortex3d>() : nullptr;
+  const std::optional<Annulus> ring = motion ? ring_of(*motion) : std::nullopt;
+  const Tensor turn = s.setup.frame ? s.setup.frame->rotation(0) : Tensor(Tensor::Identity());
+  std::vector<double> found(3 * n);
+  for (std::size_t p = 0; p < n; ++p) {
+    const std::array<double, 3> at = s.template at<3>(Column::reference_position, begin + p);
+    const Vector3 X = turn.transpose() * Vector3(at[0], at[1], at[2]);
+    Tensor axes = Tensor::Identity();
+    if (const auto place = vortex ? vortex->place(X) : std::nullopt) axes = place->axes();
+    if (ring) axes = Eigen::AngleAxisd(std::atan2(X.y(), X.x()), Vector3::UnitZ()).toRotationMatrix();
+    const Vector3 direction = turn * axes * given;
+    for (int d = 0; d < 3; ++d) found[static_cast<std::size_t>(d) * n + p] = direction(d);
+  }
+  return found;
+}
+
+}  // namespace
 
 /// The material direction of n particles at rest, 3 * n. The vortex's response is the same all around the ring because
 /// it turns with the reference angle.
 template <int Dim>
 std::vector<double> MaterialBatches<Dim>::directions(std::size_t begin, std::size_t n) const {
   const State<Dim>& s = *state_;
+  if constexpr (Dim == 3) return directions_in_space(s, begin, n);
   const auto& d = s.setup.material_direction;
   const bool polar = s.setup.motion && ring_of(*s.setup.motion);
   std::vector<double> found(3 * n);

@@ -19,6 +19,8 @@ constexpr std::size_t row_of(int c) {
 /// Row of the ABI's nine components for component c of the stress column.
 template <int Dim>
 constexpr std::size_t stress_row(int c) {
+  constexpr std::size_t in_space[] = {0, 4, 8, 1, 2, 5};
+  if constexpr (Dim == 3) return in_space[c];
   return c < Dim * Dim ? row_of<Dim>(c) : 8;  // 33 comes last in plane strain
 }
 

@@ -68,11 +68,12 @@ template <int Dim>
 BlockOutcome update_block(const StressColumns<Dim>& columns, const Material& material, std::size_t begin,
                           std::size_t end, const Instant& now, BlockScratch<Dim>& scratch);
 
+template <int Dim>
 struct Offload {
   /// Memory of n doubles, zero, that the others see; it lives as long as this.
   std::function<double*(std::size_t n)> allocate;
   /// Where the columns lie: once, before the first step.
-  std::function<void(const StressColumns<2>& columns)> place;
+  std::function<void(const StressColumns<Dim>& columns)> place;
   /// All blocks of particles [begin, end), which one thread would do. Safe for different threads at once.
   std::function<BlockOutcome(std::size_t thread, std::size_t begin, std::size_t end, const Instant& now)> update;
 };

@@ -59,8 +59,8 @@ Setup<2> patch_setup(const Method& method, const Bench& bench, int across) {
   Setup<2> setup;
   const double h = 1.0 / across;
   setup.method = method;
-  setup.grid = grid_around({-0.5, -0.5}, {0.5, 0.5}, h, across);
-  setup.seeds = cartesian_lattice({-0.5, -0.5}, {0.5, 0.5}, h, {2, 2}, [](const auto&) { return Fate::stepped; });
+  setup.grid = grid_around<2>({-0.5, -0.5}, {0.5, 0.5}, h, across);
+  setup.seeds = cartesian_lattice<2>({-0.5, -0.5}, {0.5, 0.5}, h, {2, 2}, [](const auto&) { return Fate::stepped; });
   setup.density = bench.density;
   setup.material = bench.material;
   return setup;

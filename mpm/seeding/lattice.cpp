@@ -54,50 +54,76 @@ constexpr double face_rounding = 1e-12;
 
 }  // namespace
 
-Seeds<2> lattice_of(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
-                    const std::array<int, 2>& per_cell, const CellPoint& coordinate,
-                    const std::function<Fate(const std::array<double, 2>&)>& fate) {
-  Seeds<2> seeds;
-  for (std::size_t d = 0; d < 2; ++d) seeds.half_size[d] = 0.5 * spacing / per_cell[d];
-  for (std::int32_t j = cell_below(lower[1], spacing); j < cell_above(upper[1], spacing); ++j) {
-    for (std::int32_t i = cell_below(lower[0], spacing); i < cell_above(upper[0], spacing); ++i) {
-      for (int b = 0; b < per_cell[1]; ++b) {
-        for (int a = 0; a < per_cell[0]; ++a) {
-          const std::array<double, 2> X{coordinate(0, i, a), coordinate(1, j, b)};
-          if (X[0] < lower[0] || X[0] > upper[0] || X[1] < lower[1] || X[1] > upper[1]) continue;
-          const Fate what = fate(X);
-          if (what == Fate::held) seeds.held.push_back(X);
-          if (what != Fate::stepped) continue;
-          seeds.X[0].push_back(X[0]);
-          seeds.X[1].push_back(X[1]);
-        }
-      }
-    }
+namespace {
+
+/// body(cells), the first axis fastest, for all cells from lower to upper - 1.
+template <std::size_t N>
+void for_cells(const std::array<std::int32_t, N>& lower, const std::array<std::int32_t, N>& upper, const auto& body) {
+  for (std::size_t d = 0; d < N; ++d) {
+    if (lower[d] >= upper[d]) return;
   }
+  std::array<std::int32_t, N> at = lower;
+  for (;;) {
+    body(at);
+    std::size_t d = 0;
+    while (d < N && ++at[d] == upper[d]) at[d] = lower[d], ++d;
+    if (d == N) return;
+  }
+}
+
+}  // namespace
+
+template <std::size_t N>
+Seeds<int{N}> lattice_of(const std::array<double, N>& lower, const std::array<double, N>& upper, double spacing,
+                         const std::array<int, N>& per_cell, const CellPoint& coordinate,
+                         const std::type_identity_t<FateOf<N>>& fate) {
+  Seeds<int{N}> seeds;
+  std::array<std::int32_t, N> first, end, none{};
+  for (std::size_t d = 0; d < N; ++d) {
+    seeds.half_size[d] = 0.5 * spacing / per_cell[d];
+    first[d] = cell_below(lower[d], spacing), end[d] = cell_above(upper[d], spacing);
+  }
+  for_cells<N>(first, end, [&](const auto& cell) {
+    for_cells<N>(none, per_cell, [&](const auto& k) {
+      std::array<double, N> X;
+      for (std::size_t d = 0; d < N; ++d) {
+        X[d] = coordinate(d, cell[d], k[d]);
+        if (X[d] < lower[d] || X[d] > upper[d]) return;
+      }
+      const Fate what = fate(X);
+      if (what == Fate::held) seeds.held.push_back(X);
+      if (what != Fate::stepped) return;
+      for (std::size_t d = 0; d < N; ++d) seeds.X[d].push_back(X[d]);
+    });
+  });
   return seeds;
 }
 
-Seeds<2> cartesian_lattice(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
-                           const std::array<int, 2>& per_cell,
-                           const std::function<Fate(const std::array<double, 2>&)>& fate) {
+template <std::size_t N>
+Seeds<int{N}> cartesian_lattice(const std::array<double, N>& lower, const std::array<double, N>& upper, double spacing,
+                                const std::array<int, N>& per_cell, const std::type_identity_t<FateOf<N>>& fate) {
   // (2 i + 1) half: the same |X| to the last bit on both sides of the origin
-  const std::array<double, 2> half{0.5 * spacing / per_cell[0], 0.5 * spacing / per_cell[1]};
+  std::array<double, N> half;
+  for (std::size_t d = 0; d < N; ++d) half[d] = 0.5 * spacing / per_cell[d];
   const auto coordinate = [&](std::size_t d, std::int32_t cell, int k) {
     return (2.0 * (static_cast<double>(cell) * per_cell[d] + k) + 1) * half[d];
   };
   return lattice_of(lower, upper, spacing, per_cell, coordinate, fate);
 }
 
-void disturb(Seeds<2>& seeds, double fraction, std::uint64_t seed, const std::function<bool(const Point&)>& inside) {
+template <int Dim>
+void disturb(Seeds<Dim>& seeds, double fraction, std::uint64_t seed,
+             const std::type_identity_t<std::function<bool(const std::array<double, Dim>&)>>& inside) {
   const auto offset = [&](std::size_t particle, std::size_t d) {
-    return fraction * 2 * seeds.half_size[d] * noise(seed, 2 * particle + d);
+    return fraction * 2 * seeds.half_size[d] * noise(seed, Dim * particle + d);
   };
   for (std::size_t p = 0; p < seeds.size(); ++p) {
-    const Point X{seeds.X[0][p] + offset(p, 0), seeds.X[1][p] + offset(p, 1)};
+    std::array<double, Dim> X;
+    for (std::size_t d = 0; d < Dim; ++d) X[d] = seeds.X[d][p] + offset(p, d);
     if (inside && !inside(X)) continue;
-    for (std::size_t d = 0; d < 2; ++d) seeds.X[d][p] = X[d];
+    for (std::size_t d = 0; d < Dim; ++d) seeds.X[d][p] = X[d];
   }
-  for (std::size_t d = 0; d < 2; ++d) {
+  for (std::size_t d = 0; d < Dim; ++d) {
     for (std::size_t k = 0; k < seeds.held.size(); ++k) seeds.held[k][d] += offset(seeds.size() + k, d);
   }
 }
@@ -189,11 +215,45 @@ void turn(Seeds<2>& seeds, double angle, bool half_edges) {
   seeds.angle += angle;
 }
 
-GridGeometry<2> grid_around(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
-                            int margin) {
-  GridGeometry<2> grid;
+void turn(Seeds<3>& seeds, const Tensor& R, bool half_edges) {
+  const auto turned = [&](const std::array<double, 3>& X) {
+    const Vector3 x = R * Vector3(X[0], X[1], X[2]);
+    return std::array{x.x(), x.y(), x.z()};
+  };
+  if (seeds.domains) {
+    std::vector<std::array<Vector3, 8>> domains;
+    for (const Hexahedra::Domain& domain : seeds.domains->domains()) {
+      auto& corners = domains.emplace_back();
+      for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = R * seeds.domains->corners()[domain.corners[k]];
+    }
+    seeds.domains = std::make_shared<const Hexahedra>(domains);
+  }
+  if (half_edges) {
+    std::array<double, 9> H{};
+    for (int i = 0; i < 3; ++i) {
+      for (int d = 0; d < 3; ++d)
+        H[static_cast<std::size_t>(3 * i + d)] = R(i, d) * seeds.half_size[static_cast<std::size_t>(d)];
+    }
+    seeds.half_edges.assign(seeds.size(), H);
+  }
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    const auto X = turned({seeds.X[0][p], seeds.X[1][p], seeds.X[2][p]});
+    for (std::size_t d = 0; d < 3; ++d) seeds.X[d][p] = X[d];
+  }
+  for (auto& X : seeds.held) X = turned(X);
+  for (SurfacePiece<3>& piece : seeds.surface) {
+    piece.N_dA = turned(piece.N_dA), piece.middle = turned(piece.middle);
+    for (auto& X : piece.X) X = turned(X);
+  }
+  if (!half_edges) seeds.half_size.fill(0.5 * std::cbrt(seeds.volume()));
+}
+
+template <std::size_t N>
+GridGeometry<int{N}> grid_around(const std::array<double, N>& lower, const std::array<double, N>& upper, double spacing,
+                                 int margin) {
+  GridGeometry<int{N}> grid;
   grid.spacing = spacing;
-  for (std::size_t d = 0; d < 2; ++d) {
+  for (std::size_t d = 0; d < N; ++d) {
     grid.first[d] = cell_below(lower[d], spacing) - margin;
     grid.count[d] = cell_above(upper[d], spacing) + margin - grid.first[d] + 1;
   }
@@ -221,6 +281,31 @@ void add_surface_edges(const Rectangle& body, const std::array<AxisEnds, 2>& end
   }
 }
 
+void add_surface_edges(const Cuboid& body, const std::array<AxisEnds, 3>& ends, const Cuboid& domain,
+                       std::uint32_t particle, std::vector<SurfacePiece<3>>& faces) {
+  double size = 0;
+  for (std::size_t d = 0; d < 3; ++d) size += body.upper[d] - body.lower[d];
+  for (std::size_t d = 0; d < 3; ++d) {
+    for (const bool upper : {false, true}) {
+      const double at = upper ? domain.upper[d] : domain.lower[d], face = upper ? body.upper[d] : body.lower[d];
+      if (std::abs(at - face) > face_rounding * size || (upper ? ends[d].upper : ends[d].lower)) continue;
+      const std::size_t along = d == 0 ? 1 : 0, across = d == 2 ? 1 : 2;
+      SurfacePiece<3> piece{particle, {}, {}, {}, {}};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t corner = (upper ? 1u << d : 0u) | (k & 1 ? 1u << along : 0u) | (k & 2 ? 1u << across : 0u);
+        piece.corners[k] = static_cast<std::uint8_t>(corner);
+        for (std::size_t i = 0; i < 3; ++i) {
+          piece.X[k][i] = corner >> i & 1 ? domain.upper[i] : domain.lower[i];
+          piece.middle[i] += 0.25 * piece.X[k][i];
+        }
+      }
+      piece.N_dA[d] = (upper ? 1 : -1) * (domain.upper[along] - domain.lower[along]) *
+                      (domain.upper[across] - domain.lower[across]);
+      faces.push_back(piece);
+    }
+  }
+}
+
 void add_face_arcs(const Annulus& ring, Seeds<2>& seeds) {
   for (std::size_t p = 0; p < seeds.size(); ++p) {
     const ReferenceDomains::Place& place = seeds.domains->places[p];
@@ -239,5 +324,18 @@ void add_face_arcs(const Annulus& ring, Seeds<2>& seeds) {
     }
   }
 }
+
+template Seeds<2> lattice_of(const std::array<double, 2>&, const std::array<double, 2>&, double,
+                             const std::array<int, 2>&, const CellPoint&, const FateOf<2>&);
+template Seeds<2> cartesian_lattice(const std::array<double, 2>&, const std::array<double, 2>&, double,
+                                    const std::array<int, 2>&, const FateOf<2>&);
+template void disturb(Seeds<2>&, double, std::uint64_t, const std::function<bool(const std::array<double, 2>&)>&);
+template GridGeometry<2> grid_around(const std::array<double, 2>&, const std::array<double, 2>&, double, int);
+template Seeds<3> lattice_of(const std::array<double, 3>&, const std::array<double, 3>&, double,
+                             const std::array<int, 3>&, const CellPoint&, const FateOf<3>&);
+template Seeds<3> cartesian_lattice(const std::array<double, 3>&, const std::array<double, 3>&, double,
+                                    const std::array<int, 3>&, const FateOf<3>&);
+template void disturb(Seeds<3>&, double, std::uint64_t, const std::function<bool(const std::array<double, 3>&)>&);
+template GridGeometry<3> grid_around(const std::array<double, 3>&, const std::array<double, 3>&, double, int);
 
 }  // namespace assay::mpm

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <type_traits>
 
 #include "mpm/setup/setup.hpp"
 
@@ -11,23 +12,35 @@ namespace assay::mpm {
 /// What becomes of a lattice point: a stepped particle, a held one, or none.
 enum class Fate { stepped, held, absent };
 
+/// Between two corners, along the axes [m]: in the plane a Rectangle.
+struct Cuboid {
+  std::array<double, 3> lower{}, upper{};
+};
+template <std::size_t N>
+using BoxOfAxes = std::conditional_t<N == 2, Rectangle, Cuboid>;
+
+template <std::size_t N>
+using FateOf = std::function<Fate(const std::array<double, N>&)>;
+
 /// Lattice points of all cells that meet the box [lower, upper], per_cell in each direction, in cell order.
 /// lower, upper [m]; spacing: h [m]. Points outside the box are absent whatever `fate` says.
-Seeds<2> cartesian_lattice(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
-                           const std::array<int, 2>& per_cell,
-                           const std::function<Fate(const std::array<double, 2>&)>& fate);
+template <std::size_t N>
+Seeds<int{N}> cartesian_lattice(const std::array<double, N>& lower, const std::array<double, N>& upper, double spacing,
+                                const std::array<int, N>& per_cell, const std::type_identity_t<FateOf<N>>& fate);
 
 /// The same with points anywhere in their cells: the coordinate along axis d of point k of a cell [m].
 using CellPoint = std::function<double(std::size_t d, std::int32_t cell, int k)>;
-Seeds<2> lattice_of(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
-                    const std::array<int, 2>& per_cell, const CellPoint& coordinate,
-                    const std::function<Fate(const std::array<double, 2>&)>& fate);
+template <std::size_t N>
+Seeds<int{N}> lattice_of(const std::array<double, N>& lower, const std::array<double, N>& upper, double spacing,
+                         const std::array<int, N>& per_cell, const CellPoint& coordinate,
+                         const std::type_identity_t<FateOf<N>>& fate);
 
 /// Moves every particle, held ones too, along each axis by less than `fraction` of the distance between particles, to
 /// either side: as a hash of seed, particle and axis says, which is the same on all machines. Volumes and domains stay.
 /// A stepped particle that would no longer be inside the body stays where it is.
-void disturb(Seeds<2>& seeds, double fraction, std::uint64_t seed,
-             const std::function<bool(const Point&)>& inside = {});
+template <int Dim>
+void disturb(Seeds<Dim>& seeds, double fraction, std::uint64_t seed,
+             const std::type_identity_t<std::function<bool(const std::array<double, Dim>&)>>& inside = {});
 
 /// The part of each cell of a Cartesian lattice inside the ring is a particle, at the part's centroid and with its
 /// volume. For the basis its domain is a whole cell around the centroid: as good as the part's box or the rectangle of
@@ -50,9 +63,14 @@ ReferenceDomains rectangles_of(const Seeds<2>& seeds, const Annulus& ring);
 /// volume.
 void turn(Seeds<2>& seeds, double angle, bool half_edges);
 
+/// Turns a body in space by R: its particles, half edges, averaged domains and surface. The basis is given turned
+/// domains where it takes them (half_edges); its boxes stay along the axes otherwise, and keep their volume.
+void turn(Seeds<3>& seeds, const Tensor& R, bool half_edges);
+
 /// Grid with nodes at multiples of h that covers the box and `margin` cells on each side.
-GridGeometry<2> grid_around(const std::array<double, 2>& lower, const std::array<double, 2>& upper, double spacing,
-                            int margin);
+template <std::size_t N>
+GridGeometry<int{N}> grid_around(const std::array<double, N>& lower, const std::array<double, N>& upper, double spacing,
+                                 int margin);
 
 // The edges of particles' domains that lie on the surface of a body.
 
@@ -60,6 +78,9 @@ GridGeometry<2> grid_around(const std::array<double, 2>& lower, const std::array
 /// periodic ends; a domain that fills the box has all four on them.
 void add_surface_edges(const Rectangle& body, const std::array<AxisEnds, 2>& ends, const Rectangle& domain,
                        std::uint32_t particle, std::vector<SurfaceEdge>& edges);
+/// The same of faces in space.
+void add_surface_edges(const Cuboid& body, const std::array<AxisEnds, 3>& ends, const Cuboid& domain,
+                       std::uint32_t particle, std::vector<SurfacePiece<3>>& faces);
 
 /// Adds the arcs of the seeds' domains that lie on the faces of a ring. P N is constant along an arc but for its
 /// direction, so that its force is that of P N in the middle on the chord.
@@ -69,11 +90,13 @@ void add_face_arcs(const Annulus& ring, Seeds<2>& seeds);
 
 /// Nodes of the tiles (mpm/grid/live_nodes.hpp) that are live in the first step: those that blocks of particles reach,
 /// those of particles that never move, and images. Found before anything of a run is allocated.
-std::size_t nodes_reached(const Setup<2>& setup);
+template <int Dim>
+std::size_t nodes_reached(const Setup<Dim>& setup);
 
 /// By the nodes that the particles of a setup reach in the reference configuration; among particles of the same nodes
 /// as before. Particles with domains of their own, and those of bases that reach different numbers of nodes, stay in
 /// cell order.
-void order_by_nodes(Setup<2>& setup);
+template <int Dim>
+void order_by_nodes(Setup<Dim>& setup);
 
 }  // namespace assay::mpm

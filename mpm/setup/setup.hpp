@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "harness/exact/exact_fields.hpp"
+#include "harness/exact/hexahedra.hpp"
 #include "harness/material/material.hpp"
 #include "mpm/data/instructions.hpp"
 #include "mpm/grid/grid_geometry.hpp"
@@ -19,18 +21,22 @@
 
 namespace assay::mpm {
 
+template <int Dim>
 struct Offload;  // mpm/material/stress_blocks.hpp
 
-/// A piece of the body's surface, an edge of a particle's domain or an arc at its end.
-struct SurfaceEdge {
+/// A piece of the body's surface: in the plane an edge of a particle's domain or an arc at its end, in space a face.
+template <int Dim>
+struct SurfacePiece {
+  static constexpr std::size_t ends = 1 << (Dim - 1);
   std::uint32_t particle = 0;
-  std::array<std::uint8_t, 2> corners{};  ///< of the domain, in the order of `Corners`
-  std::array<double, 2>
-      N_dA{};  ///< outward normal of the reference configuration times the length of the line between its ends [m]
-  std::array<std::array<double, 2>, 2> X{};  ///< where those corners are in it [m]
-  std::array<double, 2> middle{};            ///< the point of the surface of which the traction is taken [m]
-  bool on_corners = true;                    ///< whether its ends are those
+  std::array<std::uint8_t, ends> corners{};  ///< of the domain, in the order of `Corners`
+  std::array<double, Dim>
+      N_dA{};  ///< outward normal of the reference configuration times the length or area between its ends [m^(Dim-1)]
+  std::array<std::array<double, Dim>, ends> X{};  ///< where those corners are in it [m]
+  std::array<double, Dim> middle{};               ///< the point of the surface of which the traction is taken [m]
+  bool on_corners = true;                         ///< whether its ends are those
 };
+using SurfaceEdge = SurfacePiece<2>;
 
 /// Particles of a body in the reference configuration, in cell order.
 template <int Dim>
@@ -43,10 +49,10 @@ struct Seeds {
   /// Of each particle where its domain is no parallelepiped, else empty; in the order of `Corners` [m].
   std::vector<std::array<std::array<double, Dim>, 1 << Dim>> corners;
   /// What the body force is averaged over; null: half_size around each particle.
-  std::shared_ptr<const ReferenceDomains> domains;
+  std::shared_ptr<const std::conditional_t<Dim == 2, ReferenceDomains, Hexahedra>> domains;
   std::vector<std::array<double, Dim>> held;  ///< reference positions of particles that never move [m]
   std::vector<double> held_volumes;           ///< of these where they differ, else empty [m^Dim]
-  std::vector<SurfaceEdge> surface;           ///< on which tractions act; empty where there are none
+  std::vector<SurfacePiece<Dim>> surface;     ///< on which tractions act; empty where there are none
   double angle = 0;                           ///< by which the lattice is turned against the grid, about E_z [rad]
   std::size_t size() const { return X[0].size(); }
   double volume() const {  ///< reference volume of a particle whose domain is half_size around it [m^Dim]
@@ -73,8 +79,8 @@ struct Setup {
   Seeds<Dim> seeds;
   double density = 0;  ///< rho0 [kg/m^3]
   std::shared_ptr<const Material> material;
-  /// Unit direction of a material with one: along E_R, E_Theta, E_Z at the particle for the vortex, Cartesian
-  /// otherwise.
+  /// Unit direction of a material with one: along E_R, E_Theta, E_Z at the particle for a polar motion, along N,
+  /// E_Theta, M for a vortex in space, Cartesian otherwise.
   std::array<double, 3> material_direction{1, 0, 0};
   bool body_force = false;  ///< b of the exact motion acts
   Evaluation evaluation = Evaluation::point;
@@ -84,7 +90,7 @@ struct Setup {
   std::optional<Motion> motion;                         ///< gives the initial velocity; null: at rest
   std::optional<AffineVelocity<Dim>> initial_velocity;  ///< in place of the motion's
   std::optional<Frame> frame;                           ///< from which the motion is seen; null: the body's own
-  bool hold_outside = false;                            ///< nodes and particles outside the vortex's ring are held
+  bool hold_outside = false;                            ///< nodes and particles outside the vortex are held
   std::array<AxisEnds, Dim> ends{};                     ///< symmetry planes and periodic ends of the body
   bool accounts = false;                                ///< momentum and energy accounts
   EffectOptions options;
@@ -102,7 +108,7 @@ struct Setup {
   }
   int threads = 1;
   Instructions instructions = best_instructions();  ///< of the kernels
-  std::shared_ptr<const Offload> offload;           ///< of the stress pass; null: in this process. In two dimensions
+  std::shared_ptr<const Offload<Dim>> offload;      ///< of the stress pass; null: in this process
 };
 
 /// The options of an effect, by their type.

@@ -28,17 +28,28 @@ struct Finding {
 
 /// Momentum and energy since t = 0. What the particles have is compared with what was given to them.
 struct Ledger {
-  std::array<double, 3> impulse{};  ///< of body force and holding reactions [N s]
-  double angular_impulse = 0;       ///< of the body force, about E_z [N m s]
-  double external_work = 0;         ///< of the body force [J]
-  double internal_work = 0;         ///< of the stress [J]
-  /// Of the grid's momentum about E_z, affine parts of the particles included, before a step's forces: the first, its
-  /// largest difference to that and the impulse given since, and the largest sum of |x m v| [N m s].
-  std::optional<double> grid_angular;
+  std::array<double, 3> impulse{};          ///< of body force and holding reactions [N s]
+  std::array<double, 3> angular_impulse{};  ///< of the body force, about the origin; in the plane about E_z [N m s]
+  double external_work = 0;                 ///< of the body force [J]
+  double internal_work = 0;                 ///< of the stress [J]
+  /// Of the grid's momentum about the origin, affine parts of the particles included, before a step's forces: the
+  /// first, its largest difference to that and the impulse given since, and the largest sum of |x m v| [N m s].
+  std::optional<std::array<double, 3>> grid_angular;
   double grid_angular_defect = 0, grid_angular_scale = 0;
-  double angular_impulse_before = 0;  ///< this step [N m s]
-  double mass_defect = 0;             ///< largest |grid mass - particle mass| / particle mass
+  std::array<double, 3> angular_impulse_before{};  ///< this step [N m s]
+  double mass_defect = 0;                          ///< largest |grid mass - particle mass| / particle mass
 };
+
+/// sum += x cross f; in the plane its third component alone.
+template <std::size_t Dim>
+void add_moment(std::array<double, 3>& sum, double factor, const std::array<double, Dim>& x,
+                const std::array<double, Dim>& f) {
+  if constexpr (Dim == 3) {
+    sum[0] += factor * (x[1] * f[2] - x[2] * f[1]);
+    sum[1] += factor * (x[2] * f[0] - x[0] * f[2]);
+  }
+  sum[2] += factor * (x[0] * f[1] - x[1] * f[0]);
+}
 
 /// Where a thread adds up what its tile gives to the grid; zero between tiles.
 template <int Dim>

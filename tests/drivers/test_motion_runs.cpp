@@ -157,7 +157,7 @@ void plant_sign_of_traction(Problem&, std::vector<mpm::Pass<2>>& passes) {
   mpm::Pass<2> planted;
   planted.name = "planted";
   planted.bind = [](mpm::State<2>& s) -> mpm::Kernel {
-    return [&s, &loads = s.own<mpm::SurfaceLoads>()](const mpm::Instant&) {
+    return [&s, &loads = s.own<mpm::SurfaceLoads<2>>()](const mpm::Instant&) {
       for (std::size_t k = 0; k < loads.points.size(); ++k) {
         for (double& component : loads.points[k].force) component *= -2;
         loads.scatter(k, s.force.data());

@@ -97,6 +97,7 @@ Loose value_for(const drivers::Key& key, Dice& dice) {
     case vector:
       return numbers(3, key.range, dice);
     case pair_or_vector:
+    case per_axis:
       return numbers(dice.one_in(2) ? 2 : 3, key.range, dice);
     case matrix: {
       Loose rows = numbers(0, key.range, dice);

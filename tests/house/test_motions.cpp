@@ -24,6 +24,7 @@ TEST(Motions, TheirWordsStandInTheirFilesAlone) {
       "drivers/scene/motion_keys.cpp \"homogeneous\"",  // motion.path, whose file is read with the scene
       "drivers/check/check_material.hpp \"vortex\"",    // a test of check
       "drivers/verbs/new_material.cpp \"vortex\"",      // a file
+      "drivers/scene/body.hpp \"vortex\"",              // the body of one, a word of body.domain
       "harness/motion/path.hpp \"rotating_stretch\"",   // names of paths
   };
   for (const char* floor : {"harness", "adapters", "mpm", "drivers"}) {

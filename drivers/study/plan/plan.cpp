@@ -142,9 +142,11 @@ class Planner {
     if (!scene.method) throw InputError(study_.scene_where, scene_key, "has no method: there is nothing to run");
     one.resolution = resolution_of(study_, scene);
     try {
-      const Problem problem = assemble(scene, one.threads);
-      scene = problem.scene;
-      one.particle_steps = static_cast<double>(problem.setup.seeds.size()) * static_cast<double>(problem.steps);
+      scene = in_dimension(scene, [&](auto dimension) {
+        const auto problem = assemble<dimension.value>(scene, one.threads);
+        one.particle_steps = static_cast<double>(problem.setup.seeds.size()) * static_cast<double>(problem.steps);
+        return problem.scene;
+      });
     } catch (const MaterialFailure&) {
       one.particle_steps = 0;  // the run will say so
     }

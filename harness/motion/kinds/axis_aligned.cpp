@@ -118,8 +118,8 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
   double length() const override { return 0.5; }  // from a symmetry plane to where cos(pi X) = 0
   const Amplitude* amplitude() const override { return &m.amplitude; }
   bool is_plane() const override { return m.s().z() == 0; }
-  std::array<double, 2> usual_lower() const override { return {0, 0}; }
-  std::array<double, 2> usual_upper() const override { return {1, 1}; }
+  std::array<double, 3> usual_lower() const override { return {0, 0, 0}; }
+  std::array<double, 3> usual_upper() const override { return {1, 1, 1}; }
   bool is_symmetry_plane(std::size_t d, double at) const override { return is_whole(at) || stands_still(d); }
   bool may_repeat() const override { return true; }
   std::string fault_of_period(std::size_t d, double width) const override {

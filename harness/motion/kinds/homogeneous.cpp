@@ -75,7 +75,7 @@ class HomogeneousKind final : public MotionOf<HomogeneousKind, Homogeneous> {
       if (F.determinant() > 0) continue;
       return MotionFault{"motion.final", "det F <= 0 on the way, at t = " + number_text(s * m.period)};
     }
-    if (use.by_method && !is_plane())
+    if (use.by_method && use.dimension == 2 && !is_plane())
       return MotionFault{"motion.final",
                          "the method is plane strain: components 13, 23, 31, 32 must be 0 and 33 must be 1"};
     return std::nullopt;

@@ -136,6 +136,7 @@ class VortexKind final : public MotionOf<VortexKind, Vortex>, public PolarMotion
   const Amplitude* amplitude() const override { return &m.amplitude; }
   bool bears_tractions() const override { return false; }
   double length() const override { return m.length(); }
+  bool is_symmetry_plane(std::size_t d, double) const override { return d == 2; }
   const PolarMotion* polar() const override { return this; }
   std::optional<Vector3> reference_of(const Vector3& x, double t) const override { return turned_back(x, t); }
 

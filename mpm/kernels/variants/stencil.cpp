@@ -38,7 +38,7 @@ ASSAY_INLINE void multiply_alike(const StencilRows& rows, std::size_t i, double*
 
 /// A row each.
 ASSAY_INLINE void multiply_own(const StencilRows& rows, std::size_t i, double* to) {
-  const double* values = rows.values + StencilRows::value_at(i, 0, rows.offsets.size());
+  const double* values = rows.row(i);
   Pack<8> sum{}, x, m;
   for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
     load<8>(x, rows.from + 2 * (static_cast<std::ptrdiff_t>(i) + rows.offsets[k]));
@@ -77,9 +77,10 @@ void multiply_rows<3>(const StencilRows& rows) {
   const std::size_t entries = rows.offsets.size();
   for (std::size_t i = rows.begin; i < rows.end; ++i) {
     double sum[3] = {};
+    const double* own = rows.alike ? nullptr : rows.row(i);
     for (std::size_t k = 0; k < entries; ++k) {
       const auto at = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + rows.offsets[k]);
-      const double m = rows.values[rows.alike ? k : StencilRows::value_at(i, k, entries)];
+      const double m = rows.alike ? rows.values[k] : own[k * rows_at_once];
       for (std::size_t d = 0; d < 3; ++d) sum[d] += m * rows.from[S * at + d];
     }
     std::copy_n(sum, 3, rows.to + S * i);

@@ -37,6 +37,7 @@ Kernels<Dim> table() {
   k.force = {force<B, false, Dim>, force<B, true, Dim>};
   k.velocity_gradient = velocity_gradient<B, Dim>;
   k.multiply_mass = multiply_mass<B, Dim>;
+  if constexpr (B::nodes_across > 0) k.add_mass_rows = add_mass_rows<B, Dim>;
   k.moment = carry<B, Carried::moment, Dim>;
   k.gradient = carry<B, Carried::gradient, Dim>;
   k.convected = carry<B, Carried::convected, Dim>;

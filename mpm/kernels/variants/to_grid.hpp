@@ -125,12 +125,16 @@ ASSAY_INLINE void forces_of(const KernelState<Dim>& s, std::size_t begin, std::s
   const double *F = s.column(Column::deformation_gradient), *sigma = s.column(s.stress_of_forces),
                *volume = s.column(Column::volume), *mass = s.column(Column::mass),
                *b = WithBody ? s.column(Column::body_force) : nullptr;
+  std::size_t row[Dim * Dim];
+  for (std::size_t c = 0; c < Dim * Dim; ++c) {
+    row[c] = Dim == 2 || s.stress_of_forces == Column::stress ? stress_index<Dim>(c / Dim, c % Dim) : c;
+  }
   ASSAY_INDEPENDENT
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t p = begin + k;
     Mat<Dim> cauchy, deformation;
     for (std::size_t c = 0; c < Dim * Dim; ++c) {
-      cauchy[c] = sigma[stress_index<Dim>(c / Dim, c % Dim) * s.particles + p];
+      cauchy[c] = sigma[(Dim == 2 ? c : row[c]) * s.particles + p];
       deformation[c] = F[c * s.particles + p];
     }
     const Mat<Dim> stress = weighted_stress<Dim>(cauchy, deformation, volume[p], Total);
@@ -171,6 +175,39 @@ std::size_t momentum_and_force(KernelState<Dim>& s, const Block& block, const In
     add_momentum<B, Kind>(s, basis, begin, n, nodes, block.inertia);
   });
   return none_bad;
+}
+
+/// Of each particle m phi_ip phi_jp for each pair of its nodes i, j of which i has a row.
+template <class B, int Dim>
+void add_mass_rows(const KernelState<Dim>& s, const Block& block, const MassRows& rows) {
+  constexpr std::size_t W = B::nodes_across, span = 2 * W - 1, planes = Dim == 2 ? 1 : W;
+  const B& basis = basis_of<B>(s);
+  const auto steps = basis.steps();
+  const double* mass = s.column(Column::mass);
+  for_chunks(basis, block, [&](std::size_t begin, std::size_t n, auto& nodes) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto across = [&](std::size_t plane, std::size_t row) {  // weight of a line of nodes
+        return nodes.value(k, 1, row) * (Dim == 3 ? nodes.value(k, Dim - 1, plane) : 1);
+      };
+      for (std::size_t line = 0; line < planes * W; ++line) {
+        const std::size_t z = line / W, y = line % W;
+        const double of_line = mass[begin + k] * across(z, y);
+        for (std::size_t x = 0; x < W; ++x) {
+          const std::size_t i = static_cast<std::size_t>(nodes.node[k]) + x + y * steps[1] + z * steps[Dim - 1];
+          if (!rows.holds(i)) continue;
+          double* row = rows.row(i);
+          const double of_node = of_line * nodes.value(k, 0, x);
+          for (std::size_t other = 0; other < planes * W; ++other) {
+            const std::size_t oz = other / W, oy = other % W;
+            const double of_other = of_node * across(oz, oy);
+            const std::size_t first =
+                (W - 1 - x) + span * ((oy + W - 1 - y) + (Dim == 3 ? span * (oz + W - 1 - z) : 0));
+            for (std::size_t ox = 0; ox < W; ++ox) row[(first + ox) * rows_at_once] += of_other * nodes.value(k, 0, ox);
+          }
+        }
+      }
+    }
+  });
 }
 
 template <class B, int Dim>

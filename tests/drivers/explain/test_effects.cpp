@@ -45,7 +45,7 @@ Problem problem_of(const std::string& file, const std::vector<std::string>& sets
 /// Names of those that the problem calls for.
 Names effects_of(const Problem& problem) {
   Names found;
-  for (const EffectEntry& entry : effects()) {
+  for (const EffectEntryIn<2>& entry : effects()) {
     if (entry.called_for(problem)) found.push_back(entry.name);
   }
   return found;
@@ -55,7 +55,7 @@ std::string config(const std::string& name) { return ASSAY_SOURCE_DIR "/configs/
 
 TEST(EffectList, HasEachOnceWithOneKey) {
   std::set<std::string> names;
-  for (const EffectEntry& entry : effects()) {
+  for (const EffectEntryIn<2>& entry : effects()) {
     EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
     EXPECT_FALSE(entry.doc.empty());
     EXPECT_EQ(entry.key.empty(), entry.name == "third_dimension") << entry.name;
@@ -179,9 +179,9 @@ TEST(EffectList, ThePlainVortexTakesOneInItsSteps) {
 /// What a state has of an effect beside columns; null: nothing.
 using Trace = bool (*)(const mpm::State<2>&);
 const std::map<std::string, Trace> traces{
-    {"edge_traction", [](const mpm::State<2>& s) { return s.find<mpm::SurfaceLoads>() != nullptr; }},
-    {"particle_traction", [](const mpm::State<2>& s) { return s.find<mpm::SurfaceLoads>() != nullptr; }},
-    {"undeformed_traction", [](const mpm::State<2>& s) { return s.find<mpm::SurfaceLoads>() != nullptr; }},
+    {"edge_traction", [](const mpm::State<2>& s) { return s.find<mpm::SurfaceLoads<2>>() != nullptr; }},
+    {"particle_traction", [](const mpm::State<2>& s) { return s.find<mpm::SurfaceLoads<2>>() != nullptr; }},
+    {"undeformed_traction", [](const mpm::State<2>& s) { return s.find<mpm::SurfaceLoads<2>>() != nullptr; }},
     {"images",
      [](const mpm::State<2>& s) {
        const auto* images = s.find<mpm::Images<2>>();
@@ -241,7 +241,7 @@ std::string effect_name(const testing::TestParamInfo<bench::EffectScene>& info) 
 
 TEST_P(OfEachEffect, NothingIsThereWithoutItAndItIsThereWithIt) {
   const bench::EffectScene& way = GetParam();
-  const EffectEntry& entry = entry_of(way.effect);
+  const EffectEntryIn<2>& entry = entry_of(way.effect);
   const Problem without = counted_problem(way.scene, way.without);
   EXPECT_FALSE(entry.called_for(without));
   const mpm::Simulation<2> spare(without.setup);
@@ -329,7 +329,7 @@ INSTANTIATE_TEST_SUITE_P(Effects, OfEachEffect, testing::ValuesIn(scenes_in_proc
 TEST(EffectScenes, AreThoseOfTheWholeList) {
   std::set<std::string> measured;
   for (const bench::EffectScene& way : bench::effect_scenes("")) measured.insert(way.effect);
-  for (const EffectEntry& entry : effects()) {
+  for (const EffectEntryIn<2>& entry : effects()) {
     EXPECT_EQ(measured.contains(entry.name), entry.name != "third_dimension") << entry.name;
   }
 }

@@ -73,7 +73,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, JudgeOfRuns,
                                          "motions/rotating_stretch.yaml", "motions/axis_aligned.yaml",
                                          "motions/bar_1d.yaml", "motions/rigid.yaml",
                                          "motions/homogeneous_biaxial.yaml", "motions/homogeneous_shear.yaml",
-                                         "frames/vortex_rotation.yaml", "frames/vortex_translation.yaml"),
+                                         "frames/vortex_rotation.yaml", "frames/vortex_translation.yaml",
+                                         "space/ball_mooney_rivlin.yaml", "space/homogeneous.yaml",
+                                         "space/rotating_stretch.yaml", "space/axis_aligned.yaml", "space/frame.yaml"),
                          [](const auto& info) { return "scene_" + std::to_string(info.index); });
 
 }  // namespace

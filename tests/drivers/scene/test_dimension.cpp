@@ -45,15 +45,47 @@ TEST(Dimension, AMotionInSpaceOnlyHasNoPlaneVersion) {
   EXPECT_EQ(checked(), "accepted");
 }
 
-TEST(Dimension, ADimensionOfThreeServesEveryMotionAndNoMethod) {
+TEST(Dimension, ADimensionOfThreeServesEveryMotion) {
   EXPECT_EQ(scene_from_text(scene_text(), "f.yaml").dimension, 2);
   EXPECT_EQ(scene_from_text("dimension: 3\n" + scene_text(), "f.yaml").dimension, 3);
   EXPECT_EQ(refused_extra("dimension: 2\n"), "accepted");
   EXPECT_EQ(refused_extra("dimension: 4\n"), "f.yaml:3:12: dimension: must be from 2 to 3, found '4'");
-  EXPECT_EQ(
-      refused_extra("dimension: 3\ngrid: {spacing: .1}\nmethod: {basis: cpdi}\n"),
-      "f.yaml:5:9: method: the particles are plane so far, and dimension is 3: leave one of the two out; eval and "
-      "tabulate need no method");
+  EXPECT_EQ(refused_extra("dimension: 3\ngrid: {spacing: .1}\nmethod: {basis: cpdi}\n"), "accepted");
+}
+
+/// With a method: bodies and grids have three axes.
+std::string refused_run(const std::string& extra) {
+  return refused_extra("dimension: 3\ngrid: {spacing: .1}\nmethod: {basis: cpdi}\n" + extra);
+}
+
+TEST(Dimension, ARunInSpaceHasThreeNumbersForEachAxis) {
+  EXPECT_EQ(refused_run("body: {per_cell: [2, 2]}\n"),
+            "f.yaml:6:18: body.per_cell: must be a list of 3 whole numbers, found 2 in it");
+  EXPECT_EQ(refused_run("body: {lower: [-2, -2, -1], upper: [2, 2, 1], per_cell: [2, 3, 1]}\n"), "accepted");
+  EXPECT_EQ(refused_run("body: {lower: [-2, -2, 1], upper: [2, 2, 1]}\n"),
+            "f.yaml:6:15: body.lower: must be less than body.upper, found [-2, -2, 1] and [2, 2, 1]");
+  EXPECT_EQ(refused_extra("body: {domain: box, lower: [-2, -2, -1], upper: [2, 2, 1]}\n"),
+            "f.yaml:3:28: body.lower: must be a list of 2 numbers, found 3 in it");
+  const Scene s = scene_from_text("dimension: 3\ngrid: {spacing: .1}\nmethod: {basis: cpdi}\n" + scene_text(), "f");
+  EXPECT_EQ(s.body.domain, Body::Domain::box);
+  EXPECT_EQ(s.body.lower.size(), 3u);
+  EXPECT_EQ(s.grid->offset.size(), 3u);
+  EXPECT_EQ(s.force.evaluation, mpm::Evaluation::domain_average);  // of the paper's profile
+}
+
+TEST(Dimension, ABodyInSpaceIsABoxAroundTheVortexOrTheVortexItself) {
+  EXPECT_EQ(refused_run("body: {domain: ring}\n"),
+            "f.yaml:6:16: body.domain: ring lies in the plane, and dimension is 3: take box");
+  EXPECT_EQ(refused_run("body: {domain: vortex}\n"),
+            "f.yaml:6:16: body.domain: vortex is the body of motion.type vortex3d, and motion.type is vortex");
+  EXPECT_EQ(refused_run("body: {lower: [-1, -2, 0], upper: [2, 2, 1]}\n"),
+            "f.yaml:6:7: body.domain: must contain the vortex, which reaches from -1.25 to 1.25 along X, and reaches "
+            "from [-1, -2, 0] to [2, 2, 1]");
+  EXPECT_EQ(refused_extra("body: {domain: box, periodic: z}\n"),
+            "f.yaml:3:21: body.periodic: does not belong to motion.type vortex; known: domain, outside, lower, upper, "
+            "per_cell, lattice, jitter, seed, initial_velocity");
+  EXPECT_EQ(refused_run("body: {periodic: z}\n"), "accepted");
+  EXPECT_EQ(refused_run("body: {periodic: x}\n"), "f.yaml:6:18: body.periodic: vortex does not repeat along x");
 }
 
 TEST(Dimension, AFrameInSpaceTurnsAboutAnyAxisAndServesEveryMotion) {

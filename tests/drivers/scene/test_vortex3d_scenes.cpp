@@ -110,9 +110,8 @@ TEST(Vortex3dScenes, FaultsOfAVortexInTheListSayWhich) {
   expect_refused("  vortices: []\n", "found an empty list");
 }
 
-TEST(Vortex3dScenes, OneThatIsPlaneOrHasAMethodIsRefused) {
+TEST(Vortex3dScenes, OneThatIsPlaneIsRefused) {
   expect_refused("", "dimension: must be 3 for motion.type vortex3d", "dimension: 2\n" + elastic);
-  expect_refused("", "plane so far", elastic + "method: {basis: cpdi}\ngrid: {spacing: 0.1}\n");
 }
 
 TEST(Vortex3dScenes, AModelWithAxesOfItsOwnIsRefused) {

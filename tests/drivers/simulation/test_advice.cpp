@@ -42,7 +42,8 @@ std::string outcome_of(const std::string& text, const Sets& sets) {
 /// What is said of it; nothing where it is accepted.
 std::string refusal_of(const std::string& text, const Sets& sets) {
   try {
-    assemble(scene_from_text(text, "advised.yaml", sets), 1);
+    const Scene scene = scene_from_text(text, "advised.yaml", sets);
+    in_dimension(scene, [&](auto dimension) { assemble<dimension.value>(scene, 1); });
     return {};
   } catch (const InputError& error) {
     return error.what();
@@ -59,6 +60,8 @@ struct Refused {
 std::vector<Refused> refused() {
   const std::string stages = "method={basis: bspline2, formulation: total, integrator: symplectic_rkn4";
   const std::string square = "body={domain: square, lower: [-1.5, -1.5], upper: [1.5, 1.5], outside: free";
+  const std::string ball = "motion={type: vortex3d, radius: 0.3, amplitude: {type: one_minus_cosine, peak: 0.1}}";
+  const std::string cube = "body={domain: box, lower: [-0.3, -0.3, -0.3], upper: [0.3, 0.3, 0.3]";
   const std::string ring =
       "motion={type: twisting_ring, expansion: 0.01, amplitude: {type: one_minus_cosine, peak: 0.01}}";
   return {
@@ -100,6 +103,12 @@ std::vector<Refused> refused() {
       {{ring, "body.cut=whole", "force.response=sheet", "traction.algorithm=edges", "method.basis=cpdi"},
        "take clipped, or lattice: polar",
        {"body.cut=clipped"}},
+      {{"dimension=3"}, "take box", {"body={domain: box, lower: [-1.5, -1.5, 0], upper: [1.5, 1.5, 0.1]}"}},
+      {{ball, "body.domain=square"}, "take box or vortex", {"body.domain=vortex"}},
+      {{ball, "body={domain: vortex, lattice: gauss}"}, "take a box", {cube + ", lattice: gauss}"}},
+      {{ball, "frame={velocity: [1, 0, 0]}", cube + ", outside: held}"},
+       "take body.outside: free or a vortex alone",
+       {"body.outside=free"}},
   };
 }
 

@@ -34,7 +34,7 @@ const std::string watched_scene =
 struct Watched {
   Problem problem = assemble(scene_from_text(watched_scene, "w.yaml", {}), 1);
   mpm::Simulation<2> simulation{with_exact_solution(problem)};
-  HealthWatch watch{problem, simulation.state()};
+  HealthWatch<2> watch{problem, simulation.state()};
   mpm::State<2>& state() { return simulation.state(); }
   std::optional<mpm::Finding> look(std::int64_t steps = 8, double t = 0.01) {
     return watch.look(state(), steps, t, problem.dt, problem.wave_speed);

@@ -39,8 +39,8 @@ class StressPass {
     const assay_material* table = source_of(description, "/folder/m.yaml", isolation).table;
     setup.material = std::make_shared<const Material>(table, parameters);
     if (isolation == Isolation::worker) {
-      workers_ = std::make_shared<StressOffload>(setup);
-      setup.offload = StressOffload::offload_of(workers_);
+      workers_ = std::make_shared<StressOffload<2>>(setup);
+      setup.offload = StressOffload<2>::offload_of(workers_);
     }
     simulation_ = std::make_unique<mpm::Simulation<2>>(std::move(setup));
     stress_ = mpm::stress_pass<2>(true).bind(simulation_->state());
@@ -80,7 +80,7 @@ class StressPass {
   const mpm::State<2>& state() const { return simulation_->state(); }
 
  private:
-  std::shared_ptr<StressOffload> workers_;
+  std::shared_ptr<StressOffload<2>> workers_;
   std::unique_ptr<mpm::Simulation<2>> simulation_;
   mpm::Kernel stress_;
 };

@@ -86,7 +86,7 @@ InertiaGaps inertia_gaps_of(const Method& method, int steps) {
   const double gained = kinetic_energy(s) - energy_before;
   return {std::hypot(after[0] - before[0] - ledger.impulse[0], after[1] - before[1] - ledger.impulse[1]) /
               momentum_scale(s),
-          std::abs(angular_momentum(s) - spin_before - ledger.angular_impulse) / spin_before,
+          std::abs(angular_momentum(s) - spin_before - ledger.angular_impulse[2]) / spin_before,
           std::abs(gained - ledger.external_work + ledger.internal_work) / energy_before};
 }
 

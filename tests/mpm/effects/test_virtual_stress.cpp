@@ -17,8 +17,8 @@ constexpr double of_stress = 1e-12;  ///< relative
 /// A body that is stretched, sheared and turned, under virtual stress.
 Setup<2> stretched_setup(TractionForm form) {
   Setup<2> setup;
-  setup.grid = grid_around({0, 0}, {1, 1}, 0.5, 4);
-  setup.seeds = cartesian_lattice({0, 0}, {1, 1}, 0.5, {2, 2}, [](const auto&) { return Fate::stepped; });
+  setup.grid = grid_around<2>({0, 0}, {1, 1}, 0.5, 4);
+  setup.seeds = cartesian_lattice<2>({0, 0}, {1, 1}, 0.5, {2, 2}, [](const auto&) { return Fate::stepped; });
   setup.density = 1000;
   setup.material = elastic_material(1e4, 0.3);
   Homogeneous motion;
@@ -35,7 +35,7 @@ TEST(VirtualStress, IsTakenFromTheStressOfParticlesThatErr) {
   for (const TractionForm form : {TractionForm::follower, TractionForm::reference}) {
     const auto setup = stretched_setup(form);
     const ExactStress exact = setup.exact->at(Vector3::Zero(), t).stress;
-    Pass<2> pass = virtual_stress_pass(form);
+    Pass<2> pass = virtual_stress_pass<2>(form);
     for (const Column filled : {Column::position, Column::velocity, Column::mass, Column::volume}) {
       pass.reads.push_back(filled);
     }

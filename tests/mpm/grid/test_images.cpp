@@ -80,8 +80,8 @@ Setup<2> box_setup(const Method& method, double lower, bool periodic, int across
   Setup<2> setup;
   const double h = 1.0 / across;
   setup.method = method;
-  setup.grid = grid_around({lower, lower}, {1, 1}, h, 4);
-  setup.seeds = cartesian_lattice({lower, lower}, {1, 1}, h, {2, 2}, [](const auto&) { return Fate::stepped; });
+  setup.grid = grid_around<2>({lower, lower}, {1, 1}, h, 4);
+  setup.seeds = cartesian_lattice<2>({lower, lower}, {1, 1}, h, {2, 2}, [](const auto&) { return Fate::stepped; });
   setup.density = 1000;
   setup.material = elastic_material(1e4, 0.3);
   AxisAligned motion;

@@ -27,7 +27,10 @@ double difference(Setup<Dim> setup, int threads) {
     y.zero();
     kernels_for(s).multiply_mass(s, Block{0, s.particles, nullptr, y.data()}, x.data());
   };
-  const MassStencil<Dim> stencil(s.setup.grid, mass_nodes_across<Dim>(s.method), by_particles);
+  const auto add_rows = [&](const MassRows& rows) {
+    kernels_for(s).add_mass_rows(s, Block{0, s.particles, nullptr, nullptr}, rows);
+  };
+  const MassStencil<Dim> stencil(s.setup.grid, mass_nodes_across<Dim>(s.method), by_particles, add_rows);
   GridField<Dim> x, expected, found;
   for (auto* field : {&x, &expected, &found}) field->allocate(s.setup.grid.nodes());
   Random random{5};

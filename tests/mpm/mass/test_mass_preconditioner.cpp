@@ -72,7 +72,8 @@ TEST(MassPreconditioner, ItsMeansAreSharesOfTheMatrix) {
                                  [&](const GridField<2>& x, GridField<2>& y) {
                                    y.zero();
                                    kernels_for(s).multiply_mass(s, Block{0, s.particles, nullptr, y.data()}, x.data());
-                                 });
+                                 },
+                                 {});
     for (const auto& mean : stencil.means()) {
       double symbol = 0, sum = 0;  // of the shortest wave, and of the longest
       for (std::size_t k = 0; k < mean.size(); ++k) {

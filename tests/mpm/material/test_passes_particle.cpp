@@ -143,7 +143,7 @@ Gaps gaps_of(const Method& way, double step) {
     for (std::size_t d = 0; d < 2; ++d) {
       gaps.momentum = std::max(gaps.momentum, std::abs(P[d] - P0[d] - given.impulse[d]));
     }
-    gaps.angular = std::max(gaps.angular, std::abs(L - L0 - given.angular_impulse));
+    gaps.angular = std::max(gaps.angular, std::abs(L - L0 - given.angular_impulse[2]));
     gaps.energy = std::max(gaps.energy, std::abs(K - K0 + given.internal_work - given.external_work));
   }
   EXPECT_LT(s.ledger.mass_defect, 1e-12);

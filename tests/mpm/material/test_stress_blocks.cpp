@@ -90,7 +90,7 @@ TYPED_TEST(StressBlocks, OfOtherSizesFollowEachOther) {
 }
 
 /// Particles at one place with nothing but a material, which is asked by way of `offload`.
-Setup<2> offloaded(std::size_t n, int threads, std::shared_ptr<const Offload> offload) {
+Setup<2> offloaded(std::size_t n, int threads, std::shared_ptr<const Offload<2>> offload) {
   Setup<2> setup = setup_at_one_place(n, threads);
   setup.material = std::make_shared<const Material>(hypoelastic_table(), std::map<std::string, double>{});
   setup.offload = std::move(offload);
@@ -108,7 +108,7 @@ TEST(Offload, ThreadsShareTheBlocksAndEachParticleOnce) {
       std::deque<std::vector<double>> memory;
       std::mutex guard;
       int placed = 0;
-      auto offload = std::make_shared<Offload>();
+      auto offload = std::make_shared<Offload<2>>();
       offload->allocate = [&](std::size_t size) { return memory.emplace_back(size + 1, 0.0).data(); };
       offload->place = [&](const StressColumns<2>&) { ++placed; };
       offload->update = [&](std::size_t thread, std::size_t begin, std::size_t end, const Instant&) {
@@ -136,7 +136,7 @@ TEST(Offload, ThreadsShareTheBlocksAndEachParticleOnce) {
 TEST(Offload, TheFindingIsThatOfTheFirstParticle) {
   constexpr std::size_t n = 4 * block_size;
   std::deque<std::vector<double>> memory;
-  auto offload = std::make_shared<Offload>();
+  auto offload = std::make_shared<Offload<2>>();
   offload->allocate = [&](std::size_t size) { return memory.emplace_back(size, 0.0).data(); };
   offload->place = [](const StressColumns<2>&) {};
   offload->update = [](std::size_t thread, std::size_t begin, std::size_t, const Instant&) {

@@ -67,8 +67,11 @@ TEST(PatchedSurface, SeesAForceThatIsNotHalvedBetweenTheCorners) {
                  "traction",
                  true,
                  [](State<2>& s, const Instant&) {
-                   for (SurfacePoint& point : s.own<SurfaceLoads>().points)
-                     point.share = point.corner == point.edge->corners[0];
+                   for (SurfacePoint<2>& point : s.own<SurfaceLoads<2>>().points) {
+                     point.corner = point.piece->corners[0];
+                     for (std::size_t d = 0; d < 2; ++d)
+                       point.offset[d] = point.piece->X[0][d] - s.setup.seeds.X[d][point.particle];
+                   }
                  },
                  {surface_methods.begin(), surface_methods.end() - 1},  // B-splines have no corners
                  both_surfaces});

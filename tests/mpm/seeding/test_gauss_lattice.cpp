@@ -40,7 +40,7 @@ TEST(GaussLattice, IntegratesPolynomialsOverACellToTheirDegreeAndNoFurther) {
 
 TEST(GaussLattice, FillsTheBodyAndStandsAsTheCellsDo) {
   const double h = 0.0437;
-  const Seeds<2> seeds = gauss_lattice({-6 * h, -4 * h}, {6 * h, 3 * h}, h, {3, 2}, always);
+  const Seeds<2> seeds = gauss_lattice<2>({-6 * h, -4 * h}, {6 * h, 3 * h}, h, {3, 2}, always);
   EXPECT_EQ(seeds.size(), 12u * 7u * 6u);
   EXPECT_NEAR(integral(seeds, 0, 0), 12 * 7 * h * h, round_off);
   std::set<Point> points;
@@ -57,11 +57,11 @@ TEST(GaussLattice, ItsRectanglesTileTheCellsAroundTheirPoints) {
   const double h = 0.3;
   for (const auto& per_cell : {std::array{1, 1}, {2, 2}, {3, 4}, {16, 7}}) {
     const GaussCells cells(h, per_cell);
-    const Seeds<2> seeds = gauss_lattice({-h, -h}, {h, h}, h, per_cell, always);
+    const Seeds<2> seeds = gauss_lattice<2>({-h, -h}, {h, h}, h, per_cell, always);
     std::array<std::set<double>, 2> lower, upper;
     for (std::size_t p = 0; p < seeds.size(); ++p) {
       const Point X{seeds.X[0][p], seeds.X[1][p]};
-      const Rectangle r = cells.rectangle_around(X);
+      const Rectangle r = cells.box_around(X);
       EXPECT_NEAR(r.area(), seeds.volume(p), round_off);
       for (std::size_t d = 0; d < 2; ++d) {
         EXPECT_LT(r.lower[d], X[d]);
@@ -80,7 +80,7 @@ TEST(GaussLattice, ItsRectanglesTileTheCellsAroundTheirPoints) {
 TEST(GaussLattice, HeldParticlesHaveTheirWeightsToo) {
   const double h = 0.1;
   const auto left = [](const Point& X) { return X[0] < 0 ? Fate::held : Fate::stepped; };
-  const Seeds<2> seeds = gauss_lattice({-2 * h, 0}, {h, h}, h, {3, 3}, left);
+  const Seeds<2> seeds = gauss_lattice<2>({-2 * h, 0}, {h, h}, h, {3, 3}, left);
   ASSERT_EQ(seeds.held.size(), 18u);
   double volume = 0;
   for (std::size_t k = 0; k < seeds.held.size(); ++k) volume += seeds.held_volume(k);
@@ -92,7 +92,7 @@ TEST(GaussLattice, TheDomainsOfTheAverageFillTheRing) {
   const Annulus ring{0.75, 1.25};
   const double h = 0.125;
   for (const auto& per_cell : {std::array{2, 2}, {3, 2}}) {
-    const Seeds<2> seeds = gauss_lattice({-1.5, -1.5}, {1.5, 1.5}, h, per_cell, always);
+    const Seeds<2> seeds = gauss_lattice<2>({-1.5, -1.5}, {1.5, 1.5}, h, per_cell, always);
     const ReferenceDomains domains = gauss_domains(seeds, GaussCells(h, per_cell), ring);
     double area = 0;
     ASSERT_EQ(domains.places.size(), seeds.size());

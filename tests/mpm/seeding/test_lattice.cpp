@@ -63,7 +63,7 @@ TEST(Lattice, IsSymmetricToTheLastBit) {
 
 TEST(Lattice, LeavesOutWhatLiesOutsideTheBoxAndKeepsHeldOnesApart) {
   const auto fate = [](const Point& X) { return X[0] < 0 ? Fate::held : Fate::stepped; };
-  const Seeds<2> seeds = cartesian_lattice({-0.32, -0.1}, {0.2, 0.13}, 0.1, {2, 2}, fate);
+  const Seeds<2> seeds = cartesian_lattice<2>({-0.32, -0.1}, {0.2, 0.13}, 0.1, {2, 2}, fate);
   // x: -.325 is outside, -.275 .. .175; y: -.075 .. .125
   EXPECT_EQ(seeds.size(), 4u * 5u);
   EXPECT_EQ(seeds.held.size(), 6u * 5u);
@@ -71,7 +71,7 @@ TEST(Lattice, LeavesOutWhatLiesOutsideTheBoxAndKeepsHeldOnesApart) {
 }
 
 TEST(Lattice, GoesCellByCell) {
-  const Seeds<2> seeds = cartesian_lattice({0, 0}, {2, 2}, 1, {2, 2}, [](const Point&) { return Fate::stepped; });
+  const Seeds<2> seeds = cartesian_lattice<2>({0, 0}, {2, 2}, 1, {2, 2}, [](const Point&) { return Fate::stepped; });
   ASSERT_EQ(seeds.size(), 16u);
   for (std::size_t p = 0; p < 16; ++p) {
     EXPECT_EQ(static_cast<std::size_t>(seeds.X[0][p]), p / 4 % 2);
@@ -238,8 +238,8 @@ TEST(Disturb, IsTheSameOnAllMachines) {
 }
 
 TEST(Disturb, MovesHeldParticlesTooAndLeavesVolumesAndDomains) {
-  Seeds<2> seeds = cartesian_lattice({-0.2, -0.2}, {0.2, 0.2}, 0.1, {2, 2},
-                                     [](const Point& X) { return X[0] < 0 ? Fate::held : Fate::stepped; });
+  Seeds<2> seeds = cartesian_lattice<2>({-0.2, -0.2}, {0.2, 0.2}, 0.1, {2, 2},
+                                        [](const Point& X) { return X[0] < 0 ? Fate::held : Fate::stepped; });
   const Seeds<2> before = seeds;
   disturb(seeds, 0.5, 3);
   for (std::size_t k = 0; k < seeds.held.size(); ++k) {
@@ -294,7 +294,7 @@ TEST(Turn, BoxesAlongTheAxesKeepTheirVolume) {
 }
 
 TEST(Lattice, TheGridHasItsNodesAtMultiplesOfTheSpacing) {
-  const auto grid = grid_around({-1.5, -0.3}, {1.5, 0.31}, 0.1, 4);
+  const auto grid = grid_around<2>({-1.5, -0.3}, {1.5, 0.31}, 0.1, 4);
   EXPECT_EQ(grid.first, (std::array<std::int32_t, 2>{-19, -7}));
   EXPECT_EQ(grid.count, (std::array<std::int32_t, 2>{39, 16}));  // to 19 and to 8
   EXPECT_EQ(grid.nodes(), 39u * 16u);
