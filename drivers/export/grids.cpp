@@ -27,11 +27,7 @@ std::size_t axis(int d) { return static_cast<std::size_t>(d); }
 ExportedBody box_around_turning(const Vortex3d& motion) {
   Vector3 lower = Vector3::Constant(HUGE_VAL), upper = -lower;
   for (const Revolution& one : motion.all()) {
-    const Vector3 along = unit_along(one.axis).cwiseAbs();
-    const Vector3 across = (1 - along.array().square()).max(0).sqrt();
-    const auto [R, Z] = one.reach();
-    const Vector3 half = one.profile == Revolution::Profile::ball ? Vector3(Vector3::Constant(one.radius))
-                                                                  : Vector3(R * across + Z * along);
+    const Vector3 half = one.half_box();
     lower = lower.cwiseMin(one.center - half), upper = upper.cwiseMax(one.center + half);
   }
   ExportedBody body{.may_grow = true};

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "harness/motion/kinds/vortex3d.hpp"
-#include "harness/numeric/norms.hpp"
 
 namespace assay::drivers {
 
@@ -51,23 +50,6 @@ Box flight_box(const Scene& scene, const InitialVelocity& v) {
   return box;
 }
 
-/// Around the body of revolution: what it reaches along axis d is rho(n) about its axis, n the axis d.
-void hold_vortex(BoxOf<3>& box, const Revolution& vortex, bool& is_first) {
-  const auto [across, along] = vortex.reach();
-  const Vector3 axis = unit_along(vortex.axis);
-  for (int d = 0; d < 3; ++d) {
-    const double c = std::abs(axis(d)), s = std::sqrt(std::max(0.0, 1 - c * c));
-    // of a torus and a drum the corner of the section, of a ball its radius
-    const double half = vortex.profile == Revolution::Profile::ball    ? vortex.radius
-                        : vortex.profile == Revolution::Profile::torus ? *vortex.ring_radius * s + vortex.radius
-                                                                       : across * s + along * c;
-    const auto k = static_cast<std::size_t>(d);
-    box.lower[k] = is_first ? vortex.center(d) - half : std::min(box.lower[k], vortex.center(d) - half);
-    box.upper[k] = is_first ? vortex.center(d) + half : std::max(box.upper[k], vortex.center(d) + half);
-  }
-  is_first = false;
-}
-
 /// Of the vortex in the plane, and in space of what the motion sweeps.
 template <int Dim>
 BoxOf<Dim> box_around_turns(const Scene& scene) {
@@ -86,8 +68,11 @@ BoxOf<Dim> body_box(const Scene& scene) {
   if constexpr (Dim == 3) {
     if (scene.body.domain != Body::Domain::vortex) return {scene.body.lower, scene.body.upper};
     BoxOf<3> box;
-    bool is_first = true;
-    for (const Revolution& vortex : scene.motion.as<Vortex3d>()->all()) hold_vortex(box, vortex, is_first);
+    box.lower.fill(HUGE_VAL), box.upper.fill(-HUGE_VAL);
+    for (const Revolution& vortex : scene.motion.as<Vortex3d>()->all()) {
+      box.hold(vortex.center - vortex.half_box());
+      box.hold(vortex.center + vortex.half_box());
+    }
     return box;
   } else {
     if (scene.body.domain != Body::Domain::ring) return {scene.body.lower, scene.body.upper};

@@ -21,16 +21,19 @@ constexpr int speed_samples = 400;
 constexpr double most_steps = 1e15;   ///< beyond, step times would not be told apart
 constexpr double whole_steps = 1e-9;  ///< a number of steps this close to a whole one [relative] is that one
 
-std::vector<Vector3> places_in_space(const Scene& scene) {
-  constexpr int across = 16;
-  const BoxOf<3> box = body_box<3>(scene);
-  const int pieces = scene.motion->is_homogeneous() ? 1 : across;
-  const Vector3 lower(box.lower.data()), width = Vector3(box.upper.data()) - lower;
-  std::vector<Vector3> places;
-  for (int i = 0; i <= pieces; ++i) {
-    for (int j = 0; j <= pieces; ++j) {
-      for (int k = 0; k <= pieces; ++k) places.push_back(lower + width.cwiseProduct(Vector3(i, j, k)) / pieces);
+/// Of a box: its corners, or a lattice.
+template <int Dim>
+std::vector<Vector3> places_in_box(const BoxOf<Dim>& box, int pieces) {
+  std::vector<Vector3> places{Vector3::Zero()};
+  for (std::size_t d = 0; d < Dim; ++d) {
+    std::vector<Vector3> more;
+    for (Vector3 place : places) {
+      for (int k = 0; k <= pieces; ++k) {
+        place[static_cast<int>(d)] = box.lower[d] + (box.upper[d] - box.lower[d]) * k / pieces;
+        more.push_back(place);
+      }
     }
+    places = std::move(more);
   }
   return places;
 }
@@ -44,16 +47,8 @@ std::vector<Vector3> places_of(const Scene& scene) {
     for (int k = 0; k <= radii; ++k) places.emplace_back(ring->inner + (ring->outer - ring->inner) * k / radii, 0, 0);
     return places;
   }
-  if (scene.dimension == 3) return places_in_space(scene);
-  const Box box = body_box(scene);
   const int pieces = scene.motion->is_homogeneous() ? 1 : across;
-  for (int i = 0; i <= pieces; ++i) {
-    for (int j = 0; j <= pieces; ++j) {
-      places.emplace_back(box.lower[0] + (box.upper[0] - box.lower[0]) * i / pieces,
-                          box.lower[1] + (box.upper[1] - box.lower[1]) * j / pieces, 0);
-    }
-  }
-  return places;
+  return scene.dimension == 3 ? places_in_box(body_box<3>(scene), pieces) : places_in_box(body_box<2>(scene), pieces);
 }
 
 /// |v| = R h |g'| is largest where both are (28).

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "harness/motion/common_point.hpp"
-#include "harness/numeric/norms.hpp"
 
 namespace assay {
 
@@ -24,13 +23,7 @@ BoxCorner corner_at(const Vector3& X) { return {X.x(), X.y(), X.z()}; }
 /// Wider by what the rounding of a place may shift it.
 BodyBox box_around(const Revolution& r) {
   constexpr double wider = 1e-9, rounding = 1e-14;
-  const Vector3 along = unit_along(r.axis).cwiseAbs();
-  const Vector3 across = (1 - along.array().square()).max(0).sqrt();
-  const Vector3 ball = Vector3::Constant(r.radius);
-  const Vector3 half = r.profile == Revolution::Profile::torus ? Vector3(r.ring_radius.value_or(0) * across + ball)
-                       : r.profile == Revolution::Profile::drum
-                           ? Vector3(r.radius * across + r.height.value_or(r.radius) * along)
-                           : ball;
+  const Vector3 half = r.half_box();
   const Vector3 beyond = (1 + wider) * half + rounding * r.center.cwiseAbs();
   return {corner_at(r.center - beyond), corner_at(r.center + beyond)};
 }

@@ -73,6 +73,9 @@ struct Revolution {
   /// Half the size of a box around the meridian section, along R from the axis and along Z [m].
   std::array<double, 2> reach() const;
 
+  /// Half the size of the smallest box along the axes of space that holds the body [m].
+  Vector3 half_box() const;
+
   /// Over which h changes its course [m].
   double length() const;
 

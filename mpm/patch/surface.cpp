@@ -58,8 +58,8 @@ Setup<2> loaded_setup(const Method& method, const Bench& bench, const Loading& l
   const Rectangle body{{-half[0], -half[1]}, half};
   for (std::size_t p = 0; p < seeds.size(); ++p) {
     const double X = seeds.X[0][p], Y = seeds.X[1][p], width = seeds.half_size[0], height = seeds.half_size[1];
-    add_surface_edges(body, {}, {{X - width, Y - height}, {X + width, Y + height}}, static_cast<std::uint32_t>(p),
-                      seeds.surface);
+    add_surface_edges<2>(body, {}, {{X - width, Y - height}, {X + width, Y + height}}, static_cast<std::uint32_t>(p),
+                         seeds.surface);
   }
   if (loading.free_sides) std::erase_if(seeds.surface, [](const SurfaceEdge& edge) { return edge.N_dA[0] == 0; });
   setup.traction = Traction{TractionAlgorithm::edges, loading.form};

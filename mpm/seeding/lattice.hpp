@@ -74,13 +74,11 @@ GridGeometry<int{N}> grid_around(const std::array<double, N>& lower, const std::
 
 // The edges of particles' domains that lie on the surface of a body.
 
-/// Adds the edges of a particle's domain that lie on the faces of the body, a box, unless they are symmetry planes or
-/// periodic ends; a domain that fills the box has all four on them.
-void add_surface_edges(const Rectangle& body, const std::array<AxisEnds, 2>& ends, const Rectangle& domain,
-                       std::uint32_t particle, std::vector<SurfaceEdge>& edges);
-/// The same of faces in space.
-void add_surface_edges(const Cuboid& body, const std::array<AxisEnds, 3>& ends, const Cuboid& domain,
-                       std::uint32_t particle, std::vector<SurfacePiece<3>>& faces);
+/// Adds the edges, or in space the faces, of a particle's domain that lie on the faces of the body, a box, unless they
+/// are symmetry planes or periodic ends; a domain that fills the box has all of them.
+template <std::size_t N>
+void add_surface_edges(const BoxOfAxes<N>& body, const std::array<AxisEnds, N>& ends, const BoxOfAxes<N>& domain,
+                       std::uint32_t particle, std::vector<SurfacePiece<int{N}>>& pieces);
 
 /// Adds the arcs of the seeds' domains that lie on the faces of a ring. P N is constant along an arc but for its
 /// direction, so that its force is that of P N in the middle on the chord.

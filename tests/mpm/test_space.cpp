@@ -161,7 +161,7 @@ double error_of_loaded_cube(const Method& method, int across, TractionForm form)
       domain.lower[d] = setup.seeds.X[d][p] - setup.seeds.half_size[d];
       domain.upper[d] = setup.seeds.X[d][p] + setup.seeds.half_size[d];
     }
-    add_surface_edges({lower, upper}, {}, domain, static_cast<std::uint32_t>(p), setup.seeds.surface);
+    add_surface_edges<3>({lower, upper}, {}, domain, static_cast<std::uint32_t>(p), setup.seeds.surface);
   }
   EXPECT_EQ(setup.seeds.surface.size(), static_cast<std::size_t>(24 * across * across));
   setup.density = 1000;
