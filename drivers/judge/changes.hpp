@@ -31,9 +31,13 @@ struct JudgedState {
 inline constexpr double telling = 3;
 inline constexpr double rounding = 1e-9;  ///< an error of this share of the displacement says nothing
 
-/// Of positions, without the causes that are left out. now: of some particles; seeds: of all. body: the centre of the
-/// scene's body [m]. interval: between frames of the whole run [s].
-std::vector<Candidate> position_changes(const JudgedState& now, const Seeds& seeds, const Vector3& body,
+/// The unit in which the body is about as large as that of the scene, where it is not without one. It tells where no
+/// error does: of a body that lies beyond all that moves, or is stretched evenly.
+std::optional<Candidate> unit_by_size(const Seeds& seeds, const BodyPlace& body);
+
+/// Of positions, without the causes that are left out. now: of some particles; seeds: of all. body: the scene's.
+/// interval: between frames of the whole run [s].
+std::vector<Candidate> position_changes(const JudgedState& now, const Seeds& seeds, const BodyPlace& body,
                                         double interval, ExactParticles& exact, const Causes& left_out);
 
 /// Some frames evenly over the time, the first one, from which the seeds may come, among them; of some particles, the
@@ -49,7 +53,7 @@ double interval_of(const JudgedRun& run);
 /// Where a function is least: of evenly spaced places the best one, refined between its neighbours.
 double least_place(double lower, double upper, const std::function<double(double)>& f);
 
-/// "; the error falls from 1 to 0.1 m".
+/// "; the error falls from 1 to 0.1 m"; empty where there was none before.
 std::string by_how_much(double before, double after, const std::string& unit);
 
 }  // namespace assay::drivers

@@ -77,6 +77,11 @@ void find_mistakes(JudgeFindings& findings, const Scene& scene, const std::share
   if (!finest.l2_max || *finest.l2_max < nothing) return;
   if (finest.relative && std::abs(*finest.relative - 1) < nothing) return;  // a body that never moved
   CodeFindings& code = findings.code_findings;
+  if (findings.runs.back().is_beyond_sight) {
+    code.answer = word_of(Identification::Answer::unknown);
+    code.sentence = "mistakes of a code are told by errors of known particles: write ids or reference positions";
+    return;
+  }
   CauseError error = cause_error_of(measured);
   if (ring_of(scene.motion)) code.waves = shares_of_waves(measured.back().errors);
   const auto ring = ring_of(scene.motion);
@@ -84,7 +89,7 @@ void find_mistakes(JudgeFindings& findings, const Scene& scene, const std::share
   cut(error, size);
   constexpr std::size_t history = 4;  // a start and a history
   if (error.t.size() < history) {
-    code.answer = names_of(Identification::Answer{})[static_cast<std::size_t>(Identification::Answer::unknown)];
+    code.answer = word_of(Identification::Answer::unknown);
     code.sentence = "mistakes of a code are told by their history: that needs frames at four times or more";
     return;
   }
@@ -127,7 +132,7 @@ void find_mistakes(JudgeFindings& findings, const Scene& scene, const std::share
     found.answer = Identification::Answer::unknown;
     found.sentence = words_of_wave(wave);
   }
-  code.answer = names_of(found.answer)[static_cast<std::size_t>(found.answer)];
+  code.answer = word_of(found.answer);
   code.sentence = found.sentence;
   if (found.answer == Identification::Answer::method && is_vortex(scene.motion))
     code.sentence +=

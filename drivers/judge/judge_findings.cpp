@@ -57,7 +57,8 @@ JudgedGrid judged_grid(JudgedRun run, const std::vector<Label>& labels, double h
   JudgedGrid grid;
   grid.name = run.name;
   grid.frames = static_cast<std::int64_t>(run.frames.size());
-  grid.read = map_words(run.map);
+  grid.read =
+      map_words(run.map) + (run.unread.empty() ? "" : "; not read, for no map names them: " + joined(run.unread));
   grid.times = run.time_words;
   grid.left_out = run.left_out;
   for (const Label& label : labels) grid.labels.push_back({label.cause, label.sentence, label.before, label.after});
@@ -67,6 +68,7 @@ JudgedGrid judged_grid(JudgedRun run, const std::vector<Label>& labels, double h
   grid.h = grid.spacing = seeds.spacing;
   grid.rounding = run.rounding;
   grid.pairing = pairing_words(pairing, seeds);
+  grid.by_nearest = pairing == Pairing::nearest;
   double largest = 0;
   for (const FrameErrors& frame : errors_of(run, seeds, pairing, exact, bins ? &*bins : nullptr)) {
     const auto most = [](std::int64_t& figure, std::size_t found) {
@@ -74,6 +76,7 @@ JudgedGrid judged_grid(JudgedRun run, const std::vector<Label>& labels, double h
     };
     most(grid.lost, frame.pairs.lost), most(grid.doubled, frame.pairs.doubled);
     most(grid.unknown, frame.pairs.unknown), most(grid.not_numbers, frame.pairs.not_numbers);
+    most(grid.measured, frame.measured);
     const bool whole = frame.pairs.lost + frame.pairs.doubled + frame.pairs.unknown + frame.pairs.not_numbers == 0;
     if (!whole && !grid.lost_from) grid.lost_from = frame.sample.t;
     if (!grid.history.empty() && frame.sample.t == grid.history.back().t)
@@ -97,6 +100,7 @@ JudgedGrid judged_grid(JudgedRun run, const std::vector<Label>& labels, double h
   grid.bins = std::move(bins);
   grid.error = figures_of(grid.history, half_period, end, largest);
   leave_out_missing(grid.error, grid.history);
+  grid.is_beyond_sight = grid.by_nearest && grid.error.l2_max.value_or(0) > seen_by_nearest * seeds.spacing;
   if (only_at_rest(run, half_period)) {
     grid.error.relative.reset();  // to a motion that is nearly back
     warnings.push_back(
@@ -135,6 +139,10 @@ FlatValue figure_for(const JudgeFindings& findings, const std::string& key) {
   return found == all.end() ? FlatValue() : found->second;
 }
 
+constexpr const char* beyond_sight =
+    "the errors cannot be measured: each particle was taken for the nearest one, and they are as large as the distance "
+    "between particles lets them look. Write ids or reference positions";
+
 }  // namespace
 
 void conclude(JudgeFindings& findings, const std::vector<Expectation>& expected) {
@@ -168,8 +176,14 @@ void conclude(JudgeFindings& findings, const std::vector<Expectation>& expected)
   }
   constexpr double as_large = 0.5, falling = 0.5, nothing = 1e-9;  // of the displacement; an order; an error
   const Figure relative = findings.runs.empty() ? Figure() : findings.runs.back().error.relative;
+  const auto unmeasured = std::ranges::find(findings.runs, 0, &JudgedGrid::measured);
   std::string doubt;
-  if (relative && *relative > as_large) {
+  if (unmeasured != findings.runs.end()) {
+    doubt = "nothing is measured: no particle of " + unmeasured->name +
+            " lies where the scene's body moves. Another unit of length, another origin, another scene?";
+  } else if (!findings.runs.empty() && findings.runs.back().is_beyond_sight) {
+    doubt = beyond_sight;
+  } else if (relative && *relative > as_large) {
     doubt = "the error is " + rounded_text(100 * *relative, 2) +
             " % of the motion itself: another scene, a body that does not move, or one axis in another unit?";
   } else if (findings.last_order && *findings.last_order < falling && relative && *relative > nothing) {

@@ -70,7 +70,7 @@ struct CodeFindings {
 struct JudgedGrid {
   std::string name;
   Figure h, spacing;
-  std::int64_t particles = 0, frames = 0;
+  std::int64_t particles = 0, frames = 0, measured = 0;
   std::int64_t lost = 0, doubled = 0, unknown = 0, not_numbers = 0;
   Figure lost_from;
   std::vector<std::string> left_out;
@@ -86,12 +86,15 @@ struct JudgedGrid {
   std::string picture = {};               ///< error.png: particles at the time of the largest error; in the plane
   std::string picture_caption = {};
   std::optional<BinnedErrors> bins = {};  ///< by which mistakes of the code are told
+  bool by_nearest = false;                ///< neither ids nor reference positions tell the particles
+  bool is_beyond_sight = false;           ///< its errors are as large as such a pairing can show
 
   static void fields(auto& self, auto& archive) {
     archive("name", self.name, "", "file or folder of the run");
     archive("h", self.h, "m", "spacing of the grid", "by --h, or the distance between particles");
     archive("particles", self.particles, "1", "number of particles");
     archive("frames", self.frames, "1", "number of times");
+    archive("measured", self.measured, "1", "particles that the exact motion moves, in the frame where most are");
     archive("lost", self.lost, "1", "particles that are missing in the frame where most are");
     archive("doubled", self.doubled, "1", "particles that are there twice, likewise");
     archive("unknown", self.unknown, "1", "particles that were not there at first, likewise");

@@ -27,7 +27,8 @@ std::string counts_of(const JudgedGrid& grid) {
   const auto add = [&](std::int64_t count, const char* what) {
     if (count > 0) words += (words.empty() ? "" : ", ") + grouped_text(count) + " " + what;
   };
-  add(grid.lost, "lost"), add(grid.doubled, "doubled"), add(grid.unknown, "not there at first");
+  add(grid.lost, "lost"), add(grid.doubled, "doubled");
+  add(grid.unknown, grid.by_nearest ? "far from all places of the exact motion" : "not there at first");
   add(grid.not_numbers, "without numbers");
   if (!words.empty() && grid.lost_from) words += ", from t = " + rounded_text(*grid.lost_from, 4) + " s on";
   return words;

@@ -177,6 +177,17 @@ std::vector<std::size_t> all_rows(std::size_t n) {
   return rows;
 }
 
+std::vector<std::string> unread_of(const ParticleTable& table, const JudgeMap& map, const std::string& time) {
+  std::vector<std::string> unread;
+  for (const ParticleArray& array : table.arrays) {
+    const bool is_read = array.name == time || std::ranges::any_of(map.of, [&](const auto& names) {
+                           return std::ranges::find(names, array.name) != names.end();
+                         });
+    if (!is_read) unread.push_back(shown(array.name, 40));
+  }
+  return unread;
+}
+
 }  // namespace
 
 JudgedRun read_judged_run(const std::string& name, const JudgeMap& map) {
@@ -189,9 +200,11 @@ JudgedRun read_judged_run(const std::string& name, const JudgeMap& map) {
   bool complete = false;
   const auto take = [&](ParticleTable&& table) {
     if (!complete) complete_map(run.map, table);
-    complete = true;
     run.rounding = std::max(run.rounding, map.length * rounding_of(table, run.map));
-    for (auto& [t, rows] : time_of(table, number)) {
+    auto rows_of_times = time_of(table, number);
+    if (!complete) run.unread = unread_of(table, run.map, time_of.column());
+    complete = true;
+    for (auto& [t, rows] : rows_of_times) {
       JudgedFrame frame = frame_of(table, run.map, std::move(rows), t);
       if (!run.frames.empty()) {
         const JudgedFrame& before = run.frames.back();

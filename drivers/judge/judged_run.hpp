@@ -34,6 +34,7 @@ struct JudgedRun {
   std::string time_words;                  ///< where the times come from
   std::vector<std::string> left_out = {};  ///< other files in the folder
   double rounding = 0;                     ///< of positions, by the digits that are written [m]
+  std::vector<std::string> unread = {};    ///< columns and arrays that no quantity is read from
 };
 
 /// A file, or a folder with one file a time; where that has a collection (.pvd), the files that it names. Throws

@@ -88,7 +88,7 @@ std::vector<FrameErrors> errors_of(const JudgedRun& run, const Seeds& seeds, Pai
         if (bins) bins->add_at_rest(X[k], frame.x[p] - X[k]);
         return;
       }
-      u.add(volume, du2);
+      u.add(volume, du2), ++errors.measured;
       const Vector3 x_exact(e.x[0], e.x[1], e.x[2]);
       if (bins) bins->add(X[k], frame.x[p] - x_exact, x_exact, volume);
       const Tensor F_exact = F_of(e);
@@ -111,10 +111,10 @@ std::vector<FrameErrors> errors_of(const JudgedRun& run, const Seeds& seeds, Pai
     errors.worst = std::sqrt(std::max(errors.worst, 0.0));
     errors.exact_displacement = displacement.l2();
     errors.exact_velocity = of_v.l2(), errors.exact_strain = of_F.l2(), errors.exact_stress = of_stress.l2();
-    const bool paired = !errors.pairs.pairs.empty();
+    const bool paired = errors.measured > 0;
     errors.sample = {frame.t,
                      of(u, paired),
-                     paired ? everywhere.l2() : not_written,
+                     errors.pairs.pairs.empty() ? not_written : everywhere.l2(),
                      of(v, paired && !frame.v.empty()),
                      of(F, any_F),
                      of(J, any_J),

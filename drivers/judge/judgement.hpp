@@ -19,6 +19,7 @@ struct FrameErrors {
   std::string name;
   ErrorSample sample;
   FramePairs pairs;
+  std::size_t measured = 0;                                       ///< pairs that the exact motion moves
   double exact_displacement = 0;                                  ///< its L2 norm [m]
   double exact_velocity = 0, exact_strain = 0, exact_stress = 0;  ///< of v [m/s], F - I [1] and sigma [Pa]
   double worst = 0;                                               ///< largest error of a position [m]

@@ -7,6 +7,7 @@
 #include "drivers/findings/findings.hpp"
 #include "drivers/mistakes/perturbed_scene.hpp"
 #include "drivers/output/errors_csv.hpp"
+#include "drivers/scene/body_box.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
@@ -19,11 +20,15 @@ namespace assay::drivers {
 
 namespace {
 
-Vector3 centre_of_body(const Scene& scene) {
-  if (ring_of(scene.motion) || scene.body.domain == Body::Domain::ring) return Vector3::Zero();
-  Vector3 centre = Vector3::Zero();
-  for (std::size_t d = 0; d < 2; ++d) centre[static_cast<int>(d)] = 0.5 * (scene.body.lower[d] + scene.body.upper[d]);
-  return centre;
+template <int Dim>
+BodyPlace place_of_body(const Scene& scene) {
+  const BoxOf<Dim> box = body_box<Dim>(scene);
+  BodyPlace place;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    place.centre[static_cast<int>(d)] = 0.5 * (box.lower[d] + box.upper[d]);
+    place.size = std::max(place.size, box.upper[d] - box.lower[d]);
+  }
+  return place;
 }
 
 /// Of the k-th run.
@@ -102,8 +107,8 @@ JudgeFindings findings_of(Scene scene, const JudgeTask& task) {
   findings.provenance = build_information();
   findings.provenance.scene_sha256 = scene.sha256;
   findings.provenance.material = material_provenance(*material, library);
-  const Vector3 centre = centre_of_body(scene);
   const int dimension = scene.dimension;
+  const BodyPlace body = dimension == 3 ? place_of_body<3>(scene) : place_of_body<2>(scene);
   std::vector<JudgedRun> runs;
   ExactParticles motion(motion_alone(scene, material), dimension);
   double end = scene.time.end;
@@ -117,7 +122,7 @@ JudgeFindings findings_of(Scene scene, const JudgeTask& task) {
   for (const JudgedRun& run : runs) spacing.push_back(seeds_of(run, motion).spacing);
   std::vector<std::vector<Label>> labels(runs.size());
   take_labels(runs, spacing, findings.warnings, labels, [&](const JudgedRun& run, const Causes& left_out) {
-    return position_labels(run, centre, motion, left_out);
+    return position_labels(run, body, motion, left_out);
   });
   for (const JudgedRun& run : runs) end = std::max(end, run.frames.back().t);
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;

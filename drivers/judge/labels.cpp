@@ -34,6 +34,7 @@ double least_place(double lower, double upper, const std::function<double(double
 }
 
 std::string by_how_much(double before, double after, const std::string& unit) {
+  if (!std::isfinite(before)) return {};
   return "; the error falls from " + rounded_text(before, 3) + " to " + rounded_text(after, 3) + " " + unit;
 }
 
@@ -157,6 +158,11 @@ std::optional<bool> are_right(const JudgedState& state, double rate, ExactPartic
   return alone > 0 ? std::optional(std::abs(with / alone - 1) < half_way * std::abs(rate)) : std::nullopt;
 }
 
+void change(Looked& now, const Change& by, ExactParticles& exact) {
+  by(now.all.run), by(now.some.run);
+  now = {state_of(std::move(now.some.run), exact), seeded(std::move(now.all.run), exact)};
+}
+
 /// The best candidate, if it is told from the others.
 std::optional<Label> best_of(const std::vector<Candidate>& all, Looked& now, ExactParticles& exact) {
   struct Found {
@@ -171,9 +177,8 @@ std::optional<Label> best_of(const std::vector<Candidate>& all, Looked& now, Exa
     JudgedRun changed = before.run;
     candidate.change(changed);
     JudgedState state = state_of(std::move(changed), exact);
-    // pairing by the nearest one flatters: an error as large as half of the distance cannot be seen
     const bool flattered = state.pairing == Pairing::nearest && before.pairing != Pairing::nearest &&
-                           !(state.error.error < 0.2 * state.seeds.spacing);
+                           !(state.error.error < seen_by_nearest * state.seeds.spacing);
     constexpr double explained = 1;  // what is still as far off as the motion is wide is wrong in another way
     const bool falls = state.error.error * telling < before.error.error && state.error.relative() < explained;
     if (!flattered && falls && std::isfinite(state.error.relative()))
@@ -195,18 +200,23 @@ std::optional<Label> best_of(const std::vector<Candidate>& all, Looked& now, Exa
     label.sentence += "; or else " + each.candidate->sentence;
   }
   label.sentence += by_how_much(label.before, label.after, "m");
-  label.change(now.all.run), label.change(now.some.run);
-  now = {state_of(std::move(now.some.run), exact), seeded(std::move(now.all.run), exact)};
+  change(now, label.change, exact);
   if (label.cause == clock_rate) label.by_velocities = are_right(now.some, *label.lateness, exact);
   return label;
 }
 
 }  // namespace
 
-std::vector<Label> position_labels(const JudgedRun& run, const Vector3& body, ExactParticles& exact,
+std::vector<Label> position_labels(const JudgedRun& run, const BodyPlace& body, ExactParticles& exact,
                                    const Causes& left_out) {
   std::vector<Label> labels;
   Looked now{state_of(thin_of(run), exact), seeded(all_of(run), exact)};
+  const bool blind = !std::isfinite(now.some.error.error) || exact.solution().motion()->is_homogeneous();
+  if (const auto unit = blind ? unit_by_size(now.all.seeds, body) : std::nullopt) {
+    const double before = now.some.error.error;
+    change(now, unit->change, exact);
+    labels.push_back({unit->cause, unit->sentence, before, now.some.error.error, unit->change});
+  }
   constexpr int most = 3;  // one on top of another
   for (int k = 0; k < most && now.some.error.relative() > rounding; ++k) {
     const std::vector<Candidate> all =

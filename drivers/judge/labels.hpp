@@ -28,9 +28,15 @@ struct Label {
   std::optional<bool> by_velocities = {};  ///< whether the velocities, too, are those of such a clock
 };
 
-/// Labels of positions and times, one on top of another, without the causes that are left out. body: the centre of the
-/// scene's body [m]; exact: may be the motion alone.
-std::vector<Label> position_labels(const JudgedRun& run, const Vector3& body, ExactParticles& exact,
+/// A body as it was at first [m].
+struct BodyPlace {
+  Vector3 centre = Vector3::Zero();
+  double size = 0;  ///< along the axis where it is largest
+};
+
+/// Labels of positions and times, one on top of another, without the causes that are left out. body: the scene's;
+/// exact: may be the motion alone.
+std::vector<Label> position_labels(const JudgedRun& run, const BodyPlace& body, ExactParticles& exact,
                                    const Causes& left_out = {});
 
 /// Labels of velocities, F and stresses, of a run without those of positions.

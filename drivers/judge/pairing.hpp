@@ -20,6 +20,9 @@ struct Seeds {
 
 /// By which particles are told.
 enum class Pairing { reference_position, id, nearest };
+/// Of the spacing: a larger error may be one of any size if each particle is taken for the nearest one. Of particles
+/// anywhere it is 0.4.
+inline constexpr double seen_by_nearest = 0.2;
 
 /// Of a run's first frame, or of the file that the map names.
 Seeds seeds_of(const JudgedRun& run, const ExactParticles& exact);

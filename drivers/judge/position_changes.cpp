@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What can be wrong with how positions and times are written down.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "drivers/judge/changes.hpp"
@@ -31,20 +33,33 @@ Change linear(const Tensor& T) {
 
 std::string times(double factor) { return rounded_text(factor, 4); }
 
+struct LengthUnit {
+  double factor;            ///< [m]
+  const char *words, *key;  ///< of a map
+};
+constexpr std::array<LengthUnit, 5> length_units{
+    {{1e-3, "mm", "mm"}, {1e-2, "cm", "cm"}, {1e-6, "um", "um"}, {0.0254, "inches", "in"}, {1e3, "km", "km"}}};
+
+/// All vectors.
+Candidate in_unit(const LengthUnit& unit) {
+  return {"length_unit",
+          std::string("lengths are in ") + unit.words + ", not in m: `units: {length: " + unit.key + "}`",
+          [factor = unit.factor](JudgedRun& run) {
+            for_each_vector(run, [&](Vector3& x, bool) { x *= factor; });
+            run.rounding *= factor;
+            for (JudgedFrame& frame : run.frames) {
+              for (double& volume : frame.volume) volume *= factor * factor * factor;
+            }
+          }};
+}
+
 /// Lengths in another unit, of all vectors or of the present positions alone.
 void add_units(std::vector<Candidate>& all) {
-  for (const auto& [factor, unit] :
-       {std::pair{1e-3, "mm"}, {1e-2, "cm"}, {1e-6, "um"}, {0.0254, "inches"}, {1e3, "km"}}) {
-    all.push_back({"length_unit", std::string("lengths are in ") + unit + ", not in m: `units: {length: " + unit + "}`",
-                   [factor = factor](JudgedRun& run) {
-                     for_each_vector(run, [&](Vector3& x, bool) { x *= factor; });
-                     run.rounding *= factor;
-                     for (JudgedFrame& frame : run.frames) {
-                       for (double& volume : frame.volume) volume *= factor * factor * factor;
-                     }
-                   }});
-    all.push_back({"length_unit", std::string("the positions are in ") + unit + ", and the reference positions in m",
-                   [factor = factor](JudgedRun& run) {
+  for (const LengthUnit& unit : length_units) {
+    all.push_back(in_unit(unit));
+    all.push_back({"length_unit",
+                   std::string("the positions are in ") + unit.words + ", and the reference positions in m",
+                   [factor = unit.factor](JudgedRun& run) {
                      for (JudgedFrame& frame : run.frames) {
                        for (Vector3& x : frame.x) x *= factor;
                      }
@@ -108,12 +123,16 @@ void add_axes(std::vector<Candidate>& all, int dimension, bool has_X) {
   }
 }
 
-void add_origin(std::vector<Candidate>& all, const Seeds& seeds, const Vector3& body, int dimension) {
+BodyPlace place_of(const Seeds& seeds) {
   Vector3 lower = Vector3::Constant(HUGE_VAL), upper = -lower;
   for (const Vector3& X : seeds.X) {
     if (X.allFinite()) lower = lower.cwiseMin(X), upper = upper.cwiseMax(X);
   }
-  Vector3 shift = 0.5 * (lower + upper) - body;
+  return {0.5 * (lower + upper), (upper - lower).maxCoeff()};
+}
+
+void add_origin(std::vector<Candidate>& all, const Seeds& seeds, const Vector3& centre, int dimension) {
+  Vector3 shift = place_of(seeds).centre - centre;
   if (dimension == 2) shift.z() = 0;
   if (!(shift.norm() > 0.1 * seeds.spacing)) return;
   std::string words;
@@ -184,12 +203,24 @@ void add_identities(std::vector<Candidate>& all, const JudgedState& now, double 
 
 }  // namespace
 
-std::vector<Candidate> position_changes(const JudgedState& now, const Seeds& seeds, const Vector3& body,
+std::optional<Candidate> unit_by_size(const Seeds& seeds, const BodyPlace& body) {
+  constexpr double alike = 4, near = 2;  // bodies may be wider than what moves of them
+  const double ratio = place_of(seeds).size / body.size;
+  if (!(body.size > 0) || !std::isfinite(ratio) || (ratio < alike && ratio * alike > 1)) return std::nullopt;
+  const auto off = [&](const LengthUnit& unit) { return std::abs(std::log(ratio * unit.factor)); };
+  const LengthUnit& unit = *std::ranges::min_element(length_units, {}, off);
+  if (!(off(unit) < std::log(near))) return std::nullopt;
+  Candidate candidate = in_unit(unit);
+  candidate.sentence += "; as they are, the body is " + rounded_text(ratio, 3) + " times as large as that of the scene";
+  return candidate;
+}
+
+std::vector<Candidate> position_changes(const JudgedState& now, const Seeds& seeds, const BodyPlace& body,
                                         double interval, ExactParticles& exact, const Causes& left_out) {
   std::vector<Candidate> all;
   const bool has_X = !now.run.map.seeds.empty() || !now.run.frames.front().X.empty();
   add_units(all), add_meanings(all), add_axes(all, exact.dimension(), has_X), add_identities(all, now, seeds.spacing);
-  add_origin(all, seeds, body, exact.dimension());
+  add_origin(all, seeds, body.centre, exact.dimension());
   add_clock(all, now, interval, exact);
   std::erase_if(all, [&](const Candidate& each) { return std::ranges::find(left_out, each.cause) != left_out.end(); });
   return all;

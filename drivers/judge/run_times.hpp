@@ -36,6 +36,8 @@ class TimeOf {
   /// Rows of each time [unit of the code]. number: of the table in the run, from 0. Throws InputError.
   std::map<double, std::vector<std::size_t>> operator()(const ParticleTable& table, std::size_t number);
   const std::string& words() const { return words_; }
+  /// Name of the column, if the times are one's.
+  const std::string& column() const { return column_; }
 
  private:
   JudgeTime::From guessed(const ParticleTable& table);
