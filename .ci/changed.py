@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a change touches, and which of the deep checks it calls for (docs/development.md, "Which check is where").
 
-usage: changed.py BASE checks               names of deep checks, a line each: spine mutants long foreign package bench
-       changed.py BASE sources [PREFIX...]  sources that changed or that read a header that changed, below the prefixes
-       changed.py BASE files                all that changed
+usage: changed.py BASE checks                   names of deep checks, a line each: spine races mutants long foreign ...
+       changed.py BASE sources:K/N [PREFIX...]  sources that changed, and every N-th, from the K-th on, of those that
+                                                read a header that changed, below the prefixes
+       changed.py BASE files                    all that changed
 
 BASE is a commit; `-` stands for none, and then everything has changed. What is not committed counts as changed.
 """
@@ -21,6 +22,7 @@ HOW = r"CMakeLists|CMakePresets|cmake/|tests/CMakeLists|tests/[a-z]+[.]cmake|dev
 CALLS = {
     "spine": HOW + r"mpm/|harness/|drivers/(simulation/|composition|effects|run|verbs/run)|"
                    r"bench/(compare_spine|minimal_step|effect_scenes)|configs/paper/",
+    "races": HOW + r"mpm/|harness/|drivers/|tests/(races|mpm/test_races|drivers/library)",
     "mutants": HOW + r"drivers/|mpm/|adapters/|harness/|tests/fuzz/",
     "long": HOW + r"drivers/|mpm/|adapters/|harness/|tests/|configs/|docs/check[.]md",
     "foreign": r"drivers/(library|export|judge|templates/export)/|tests/foreign",
@@ -75,7 +77,8 @@ def readers(names):
 
 
 def main(words):
-    if len(words) < 2 or words[1] not in ("checks", "sources", "files"):
+    hand = re.fullmatch(r"sources:(\d+)/([1-9]\d*)", words[1]) if len(words) > 1 else None
+    if not hand and (len(words) != 2 or words[1] not in ("checks", "files")):
         sys.exit(__doc__)
     base, question, prefixes = words[0], words[1], words[2:]
     names = changed(base)
@@ -85,9 +88,12 @@ def main(words):
     elif question == "files":
         answer = names
     else:
-        answer = sorted(name for name in readers(names)
-                        if name.endswith((".cpp", ".c")) and (ROOT / name).is_file() and
-                        (not prefixes or name.startswith(tuple(prefixes))))
+        sources = sorted(name for name in readers(names)
+                         if name.endswith((".cpp", ".c")) and (ROOT / name).is_file() and
+                         (not prefixes or name.startswith(tuple(prefixes))))
+        only_read = [name for name in sources if name not in set(names)]
+        dealt = set(only_read[int(hand[1])::int(hand[2])])
+        answer = [name for name in sources if name in set(names) or name in dealt]
     for line in answer:
         print(line)
 

@@ -48,6 +48,15 @@ foreach(scene IN LISTS scenes)
   endif()
 endforeach()
 
+# Runs of seconds each.
+foreach(scene IN LISTS scenes)
+  string(REGEX REPLACE "\\.yaml$" "" name ${scene})
+  get_property(labels TEST scene/${name} PROPERTY LABELS)
+  if(name MATCHES "^(hard|standard|space|methods)/" AND NOT labels)
+    set_tests_properties(scene/${name} PROPERTIES LABELS dealt)
+  endif()
+endforeach()
+
 # As it stands.
 add_test(NAME scene/hard/stiff_1e5_fine COMMAND assay run ${PROJECT_SOURCE_DIR}/configs/hard/stiff_1e5.yaml
   -o ${PROJECT_BINARY_DIR}/scenes/hard/stiff_1e5_fine --quiet)

@@ -79,7 +79,8 @@ TEST(KeptProcess, IsHeardAndStandsInAFolderOfItsOwn) {
       [](Fate& fate) {
         std::printf("%d", fs::current_path() == fate.folder ? 1 : 0);
         std::fflush(stdout);
-        ::write(STDERR_FILENO, "!", 1) == 1 && std::fgetc(stdin) == EOF&& ::write(STDERR_FILENO, "?", 1) == 1;
+        const auto says = [](const char* word) { return ::write(STDERR_FILENO, word, 1) == 1; };
+        EXPECT_TRUE(says("!") && std::fgetc(stdin) == EOF && says("?"));
       },
       no_limits,
       [&](const Fate& fate) {

@@ -114,7 +114,10 @@ TEST(SpaceInstant, TheGradientOfTheAccelerationIsThatOfItsDifferences) {
       Tensor differences;
       for (int d = 0; d < 3; ++d) {
         differences.col(d) = central_difference(
-            [&](int k) -> Vector3 { return exact->state(place(p) + k * step * Vector3::Unit(d), t).a; }, step);
+            [&, &motion = exact](int k) -> Vector3 {
+              return motion->state(place(p) + k * step * Vector3::Unit(d), t).a;
+            },
+            step);
       }
       const Tensor transposed = differences.transpose();
       EXPECT_LT(distance(window.inertia(p).gradient, transposed), of_differences * (1 + differences.norm()))
