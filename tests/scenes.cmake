@@ -43,7 +43,7 @@ foreach(scene IN LISTS scenes)
   if((ASSAY_SANITIZE AND name MATCHES "^hard/") OR name MATCHES "^hard/(${seldom})$")
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
-  if(name MATCHES "^(methods/smoothest|umat/j2_(small|large))$") # up to half a minute
+  if(name MATCHES "^(methods/smoothest|umat/j2_(small|large)|space/torus)$") # up to half a minute
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
 endforeach()
