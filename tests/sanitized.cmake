@@ -35,7 +35,7 @@ set(shards_of_test_drivers 64)
 set(left_out_of_test_drivers # whole runs of full size; studies, which start the program many times; timing; a browser
   CutBodies* StudyShards.M* StudyShards.O* StudyShards.T* StudyFailures.AF* StudyFailures.AM* Clusters* CaseKey.Changes*
   Files/TornCases* StudyResume.C* StudyResume.F* StudyResume.K* StudyResume.M* Plan.* StudyJson.Host*
-  Cases/EvalReferences*ring* *BoxRun.ConvergesAt* PlantedInTheBox* Interfaces/ForeignVortex* */closes_everything*
+  Cases/EvalReferences*ring* *BoxRun.ConvergesAt* PlantedInTheBox* Interfaces/ForeignVortex* Interfaces/FaultOfAComponent* ForceInSpace* */closes_everything*
   CheckForeign.AModelOfPlaneStrainAloneRuns* CheckMethods.RunsEvery* CheckMethods.WritesJson* Check.JUnit*
   Check.AllChecks* Cached.ADamaged* Cached.EverythingThat* Cached.ASheetOfABuiltIn* ForeignModels.TwoCores* ForeignModels.AUmat*
   CheckSource.IsTaken* CheckSizeOfStress.TheWholeBattery* EndOfProcess.A* */exit_pause */destroy_deaf

@@ -20,7 +20,7 @@ foreach(source IN LISTS plugin_sources)
   add_test_plugin(${name} ${source})
   target_include_directories(test_plugin_${name} PRIVATE ${PROJECT_SOURCE_DIR})
 endforeach()
-foreach(plugin IN ITEMS prints flushes_when_loaded)
+foreach(plugin IN ITEMS prints flushes_when_loaded component_faults)
   target_sources(test_plugin_${plugin} PRIVATE
     ${PROJECT_SOURCE_DIR}/adapters/models/neo_hookean.c)
 endforeach()

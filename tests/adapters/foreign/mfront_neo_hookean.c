@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A library of MFront's generic interface: compressible neo-Hookean elasticity, (34), in finite strain.
  * SPECIALISED: Tridimensional has symbols of its own, the general ones hold for PlaneStrain, which has one more
- * property. */
+ * property. COMPONENT_FAULTS: one more property chooses a mistake in the components of the stress. */
+#ifdef COMPONENT_FAULTS
+#include "component_faults.h"
+#endif
 #include "mfront_behaviour.h"
 
 MFRONT_DESCRIPTION(NeoHookean)
@@ -31,6 +34,8 @@ NUMBER(NeoHookean_BehaviourKinematic, 3)
 #ifdef SPECIALISED
 OF_HYPOTHESIS(NeoHookean, 3, "YoungModulus", "PoissonRatio", "Thickness")
 OF_HYPOTHESIS(NeoHookean_Tridimensional, 2, "YoungModulus", "PoissonRatio")
+#elif defined COMPONENT_FAULTS
+OF_HYPOTHESIS(NeoHookean, 3, "YoungModulus", "PoissonRatio", "Fault")
 #else
 OF_HYPOTHESIS(NeoHookean, 2, "YoungModulus", "PoissonRatio")
 #endif
@@ -169,6 +174,10 @@ static int integrate(BehaviourData* d, int symmetric, int tensor) {
   if (predicts || asked > 0.5) write_operator(&p, &start, which, symmetric, tensor, d->K); /* over the request */
   if (predicts) return 1;
   write_stress(&p, measure, symmetric, tensor, d->s1.thermodynamic_forces);
+#ifdef COMPONENT_FAULTS
+  if (measure != 0 || symmetric != tridimensional) return report(d, "the Cauchy stress alone can be wrong"), -1;
+  plant_fault((enum component_fault)d->s1.material_properties[2], d->s1.thermodynamic_forces);
+#endif
   const double trace_b = b(&p, 0, 0) + b(&p, 1, 1) + b(&p, 2, 2), ln_J = log(p.J);
   *d->s1.stored_energy = p.lambda / 2 * ln_J * ln_J - p.mu * ln_J + p.mu / 2 * (trace_b - 3);
   *d->rdt = fmin(*d->rdt, maximal_factor);
