@@ -49,7 +49,7 @@ struct Ball {
     axis = problem.scene.motion.as<Vortex3d>()->one.axis.normalized();
   }
 
-  /// Largest L2 of the displacement over all steps [m].
+  /// Largest L2 of the displacement over time [m].
   double largest_error(const Vector3& left_out) const {
     std::vector<mpm::Pass<3>> passes = mpm::compose(problem.setup);
     plant(passes, left_out);
@@ -59,6 +59,7 @@ struct Ball {
     for (std::int64_t k = 0; k < problem.steps; ++k) {
       const double t = problem.time_of_step(k), next = problem.time_of_step(k + 1);
       if (simulation.step(t, next - t)) return INFINITY;
+      if (k % 4 != 0) continue;  // a sample takes as long as a few steps
       largest = std::max(largest, sampler.sample(simulation.state(), next, simulation.velocity_time()).displacement.l2);
     }
     return largest;
