@@ -22,9 +22,10 @@ endfunction()
 foreach(code IN ITEMS fenicsx_dynamic fenicsx_static lammps_peri)
   add_foreign_test(${code} ${code})
 endforeach()
+add_foreign_test(fenicsx_space fenicsx_space $<TARGET_FILE:assay>)
 # What `assay export` writes, run by others and judged (docs/export.md).
 foreach(case IN ITEMS csv csv-tractions nodal-loads nodal-loads-tractions nodal-loads-ring abaqus abaqus-rivlin abaqus-dynamic
-    abaqus-space lammps fenics fenics-rivlin fenics-kirchhoff)
+    abaqus-space lammps fenics fenics-rivlin fenics-kirchhoff fenics-space)
   add_foreign_test(export_${case} export_to ${case} $<TARGET_FILE:assay>)
 endforeach()
 # Mistakes that were planted by somebody who did not know the dictionary of judge; those of a vortex take longer, and are

@@ -15,6 +15,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 CONFIGS = os.path.join(HERE, "..", "..", "configs")
 SCENE = os.path.join(CONFIGS, "library", "plane_vortex.yaml")
 STRETCH = os.path.join(CONFIGS, "motions", "rotating_stretch.yaml")
+BALL = os.path.join(CONFIGS, "standard", "1", "vortex3d.yaml")
 RING = os.path.join(CONFIGS, "motions", "twisting_ring.yaml")
 WAVE_SPEED, END = 2.2, 1.0  # not less than the fastest wave in these scenes [m/s]; of all of them [s]
 
@@ -107,6 +108,7 @@ CASES = {
                ["--set", "motion.amplitude.peak=0.02"], 1.95, 7.5e-5),
     "fenics-rivlin": (run_fenics, "fenics", SCENE, [0.046875, 0.0234375], MOONEY, 1.95, 2e-3),
     "fenics-kirchhoff": (run_fenics, "fenics", SCENE, [0.046875, 0.0234375], KIRCHHOFF, 1.95, 2e-3),
+    "fenics-space": (run_fenics, "fenics", BALL, [0.15, 0.1, 0.075], [], 1.8, 1e-2),
     "fenics": (run_fenics, "fenics", SCENE, [0.09375, 0.046875, 0.0234375], [], 1.95, 1.1e-3),
 }
 
