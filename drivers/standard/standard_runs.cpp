@@ -52,6 +52,13 @@ std::string fault_of(const fs::path& run, const ProcessEnd& end) {
 
 }  // namespace
 
+std::vector<std::string> sets_of(const StandardSet& set, const StandardMethod& method, const StandardProblem& problem) {
+  std::vector<std::string> sets;
+  if (!problem.scene().method) sets = set.in_space;
+  sets.insert(sets.end(), method.sets.begin(), method.sets.end());
+  return sets;
+}
+
 CardCode run_by(const StandardSet& set, const StandardMethod& method, const std::string& out, bool quiet,
                 const std::string& program) {
   const fs::path folder = fs::path(out) / method.folder;
@@ -60,19 +67,16 @@ CardCode run_by(const StandardSet& set, const StandardMethod& method, const std:
   std::size_t done = 0;
   for (const StandardProblem& problem : set.problems) {
     const double share = static_cast<double>(done++) / static_cast<double>(set.problems.size());
-    if (!problem.scene().method) {
-      faults[problem.id] = "not run: assay has no particle method in space";
-      continue;
-    }
     fs::create_directories(folder / problem.id);
     const fs::path scene = folder / problem.id / problem.file();
     write_file(scene, problem.text);
+    const std::vector<std::string> sets = sets_of(set, method, problem);
     for (const double h : problem.grids) {
       const fs::path run = folder / problem.id / folder_of_grid(h);
       std::vector<std::string> words{
           "run",   scene.string(), "-o", run.string(), "--quiet", "--set", "grid.spacing=" + number_text(h),
           "--set", "expect={}"};
-      for (const std::string& setting : method.sets) words.insert(words.end(), {"--set", setting});
+      for (const std::string& setting : sets) words.insert(words.end(), {"--set", setting});
       const ProcessEnd end =
           waited_for(CaseProcess(program, words, 0), progress, share, problem.id + ", h = " + rounded_text(h, 3));
       const std::string fault = fault_of(run, end);

@@ -6,8 +6,11 @@
 
 namespace assay::drivers {
 
+/// What a method sets in the scene of a problem, "key.path=YAML value".
+std::vector<std::string> sets_of(const StandardSet& set, const StandardMethod& method, const StandardProblem& problem);
+
 /// Runs every problem on its grids, each in a process of its own, into OUT/METHOD/ID/h_0.05, and judges the particles
-/// that it leaves there. A problem in space is left out. Throws InputError, SystemError, Interrupted.
+/// that it leaves there. Throws InputError, SystemError, Interrupted.
 CardCode run_by(const StandardSet& set, const StandardMethod& method, const std::string& out, bool quiet,
                 const std::string& program = "/proc/self/exe");
 

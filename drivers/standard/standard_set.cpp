@@ -26,17 +26,18 @@ StandardProblem read_problem(const Tree& tree, const std::string& path, int edit
   return problem;
 }
 
+YamlRow sets_row(const char* key, std::vector<std::string>& sets) {
+  return {key,
+          [&sets](const Tree& map, const std::string&) {
+            for (const Tree::Entry& entry : map.entries) sets.push_back(entry.key + "=" + entry.value.text);
+          },
+          nullptr};
+}
+
 StandardMethod read_method(const Tree& tree, const std::string& path) {
   StandardMethod method;
   read_only_rows(tree, path,
-                 {text_row("name", method.name),
-                  text_row("folder", method.folder),
-                  {"set",
-                   [&](const Tree& map, const std::string&) {
-                     for (const Tree::Entry& entry : map.entries)
-                       method.sets.push_back(entry.key + "=" + entry.value.text);
-                   },
-                   nullptr}});
+                 {text_row("name", method.name), text_row("folder", method.folder), sets_row("set", method.sets)});
   return method;
 }
 
@@ -51,7 +52,7 @@ StandardSet standard_set(int edition, const std::vector<std::string>& only) {
     throw InputError({}, "--edition", "there is no edition " + std::to_string(edition) + " of the standard set",
                      "1 to " + std::to_string(latest_edition));
   }
-  StandardSet set{.title = {}, .edition = edition, .problems = {}, .methods = {}};
+  StandardSet set{.title = {}, .edition = edition, .problems = {}, .methods = {}, .in_space = {}};
   const Tree root = read_yaml(text->second, name);
   const auto each = [&](const Tree& list, const std::string& key, const auto& take) {
     for (std::size_t k = 0; k < list.items.size(); ++k) take(list.items[k], item_path(key, k));
@@ -73,7 +74,8 @@ StandardSet standard_set(int edition, const std::vector<std::string>& only) {
                        set.methods.push_back(read_method(one, path));
                      });
                    },
-                   nullptr}});
+                   nullptr},
+                  sets_row("in_space", set.in_space)});
   const std::vector<std::string> known = mapped(set.problems, [](const StandardProblem& one) { return one.id; });
   for (const std::string& id : only) {
     if (std::ranges::find(known, id) == known.end())

@@ -30,6 +30,7 @@ struct StandardSet {
   int edition = 1;
   std::vector<StandardProblem> problems;
   std::vector<StandardMethod> methods;
+  std::vector<std::string> in_space;  ///< of runs of the problems whose scenes have no method, before those of a method
 };
 
 /// The texts of configs/standard and of drivers/standard/edition_*.yaml, which the build puts into the program.

@@ -108,7 +108,7 @@ CASES = {
                ["--set", "motion.amplitude.peak=0.02"], 1.95, 7.5e-5),
     "fenics-rivlin": (run_fenics, "fenics", SCENE, [0.046875, 0.0234375], MOONEY, 1.95, 2e-3),
     "fenics-kirchhoff": (run_fenics, "fenics", SCENE, [0.046875, 0.0234375], KIRCHHOFF, 1.95, 2e-3),
-    "fenics-space": (run_fenics, "fenics", BALL, [0.15, 0.1, 0.075], [], 1.8, 1e-2),
+    "fenics-space": (run_fenics, "fenics", BALL, [0.15, 0.1, 0.075], [], 1.95, 1.2e-3),
     "fenics": (run_fenics, "fenics", SCENE, [0.09375, 0.046875, 0.0234375], [], 1.95, 1.1e-3),
 }
 

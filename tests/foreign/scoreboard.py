@@ -13,7 +13,6 @@ import hashlib
 import json
 import os
 import re
-import shutil
 import sys
 
 import scoreboard_runs as runs
@@ -38,10 +37,10 @@ def hash_of(problem):
 
 
 def store(judged, about):
-    """A file for each problem: what judge found without its histories, and who ran what where."""
+    """A file for each problem: what judge found without its histories, and who ran what where. Problems that were not
+    judged now keep theirs."""
     folder = os.path.join(STORE, about["name"])
-    shutil.rmtree(folder, ignore_errors=True)
-    os.makedirs(folder)
+    os.makedirs(folder, exist_ok=True)
     for problem in runs.grids():
         path = os.path.join(judged, problem, "judge.json")
         if not os.path.exists(path):
@@ -226,7 +225,7 @@ def run_all(assay, folder):
     for name, method in (("total_b2", "total B2, AFLIP"), ("cpdi2", "CPDI2, AFLIP")):
         about[os.path.join(folder, "own", name)] = {"name": "assay_" + name, "code": "assay", "method": method,
                                                     "version": version, "command": "assay standard --only PROBLEM"}
-    for name, method, command in runs.own(assay, folder, runs.ELASTIC):
+    for name, method, command in runs.own(assay, folder, [*runs.ELASTIC, "vortex3d"]):
         about[os.path.join(folder, name)] = {"name": name, "code": "assay", "method": method, "version": version,
                                              "command": command}
     others = {"fenicsx_bilinear": ("FEniCSx", "bilinear elements, lumped mass, central differences", "python3 run.py"),

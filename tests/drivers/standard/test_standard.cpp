@@ -7,7 +7,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "drivers/standard/standard_card.hpp"
+#include "drivers/scene/scene_reader.hpp"
+#include "drivers/standard/standard_runs.hpp"
 #include "drivers/system/whole_file.hpp"
 #include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/refusal.hpp"
@@ -45,6 +46,40 @@ TEST(StandardSet, RefusesWhatItDoesNotHave) {
   expect_refused([&] { standard_set(1, {"vortex"}); }, "--only", "vortex_mild");
 }
 
+/// The lines of a section of a resolved scene.
+std::string section_of(const std::string& resolved, const std::string& name) {
+  const std::size_t begin = resolved.find("\n" + name + ":");
+  if (begin == resolved.npos) return {};
+  std::size_t end = resolved.find('\n', begin + 1);
+  while (end + 1 < resolved.size() && resolved[end + 1] == ' ') end = resolved.find('\n', end + 1);
+  return resolved.substr(begin, end - begin);
+}
+
+TEST(StandardSet, AMethodIsTheSameInThePlaneAndInSpace) {
+  const StandardSet set = standard_set();
+  ASSERT_EQ(set.methods.size(), 2u);
+  std::string before;
+  for (const StandardMethod& method : set.methods) {
+    std::string first;
+    std::size_t in_space = 0;
+    for (const StandardProblem& problem : set.problems) {
+      std::vector<std::string> sets = sets_of(set, method, problem);
+      sets.push_back("grid.spacing=" + std::to_string(problem.grids[0]));
+      const Scene scene = scene_from_text(problem.text, problem.file(), sets);
+      ASSERT_TRUE(scene.method) << problem.id;
+      in_space += scene.dimension == 3;
+      const std::string found = section_of(resolved_yaml(scene), "method");
+      EXPECT_NE(found.find("courant: 0.4"), std::string::npos) << found;
+      if (first.empty()) first = found;
+      EXPECT_EQ(found, first) << problem.id;
+      EXPECT_GE(scene.output.particles, 10) << problem.id;  // what is asked of any code
+    }
+    EXPECT_EQ(in_space, 3u);
+    EXPECT_NE(first, before);
+    before = first;
+  }
+}
+
 TEST(StandardSet, NamesOfGridsAreReadBack) {
   constexpr double six_digits = 5e-6;
   for (const double h : {0.1, 0.025, 1.0 / 6, 2.0}) EXPECT_NEAR(*grid_of_name(folder_of_grid(h)), h, six_digits * h);
@@ -59,7 +94,8 @@ class StandardRun : public testing::Test {
   StandardOptions options(const std::string& action, const std::string& out) {
     StandardOptions given;
     given.action = action;
-    given.only = {"rotating_stretch", "vortex3d"};
+    given.only = {"rotating_stretch"};
+    if (action == "judge") given.only.emplace_back("vortex3d");
     given.out = scratch_ / out;
     given.quiet = true;
     given.program = built("assay");
@@ -86,7 +122,6 @@ TEST_F(StandardRun, LeavesACardThatAnotherJudgementRepeats) {
     EXPECT_TRUE(code["rows"][0]["good"]);
     EXPECT_GT(code["rows"][0]["order"], 1.5);
     EXPECT_GT(code["rows"][0]["grids"][0]["core_s"], 0);
-    EXPECT_TRUE(code["rows"][1]["grids"].empty());  // in space
     EXPECT_FALSE(code["machine"].is_null());
   }
   for (const char* file : {"card.md", "card.html"})
@@ -95,6 +130,24 @@ TEST_F(StandardRun, LeavesACardThatAnotherJudgementRepeats) {
   again.folders = {scratch_ / "own/total_b2"};
   EXPECT_EQ(status_of(again), 0) << said_;
   EXPECT_EQ(card("again")["codes"][0]["rows"][0], own["codes"][0]["rows"][0]);
+  EXPECT_EQ(card("again")["codes"][0]["rows"][1]["found"], "not run");
+  EXPECT_TRUE(card("again")["codes"][0]["rows"][1]["grids"].empty());
+}
+
+TEST_F(StandardRun, ProblemsInSpaceAreRunAndJudged) {
+  StandardSet set = standard_set(1, {"vortex3d_history"});
+  for (StandardProblem& problem : set.problems) problem.grids = {0.25, 0.125};  // the edition's take minutes
+  for (const StandardMethod& method : set.methods) {
+    const CardCode code = run_by(set, method, scratch_ / "space", true, built("assay"));
+    ASSERT_EQ(code.rows.size(), 1u);
+    for (const CardRow& row : code.rows) {
+      ASSERT_EQ(row.grids.size(), 2u) << row.found;
+      EXPECT_TRUE(row.causes.empty()) << row.found;
+      EXPECT_GT(row.last_order.value_or(0), 1.5) << method.name << ", " << row.id << ": " << row.found;
+      EXPECT_LT(row.grids[1].relative.value_or(1), 0.1) << method.name << ", " << row.id << ": " << row.found;
+      for (const CardGrid& grid : row.grids) EXPECT_GT(grid.core_s.value_or(0), 0);  // of a completed run alone
+    }
+  }
 }
 
 TEST_F(StandardRun, ARunThatEndsEarlyOrIsDamagedIsNotGood) {
