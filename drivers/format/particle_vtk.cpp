@@ -136,26 +136,36 @@ class VtkFile {
     take(std::move(whole));
   }
 
+  /// Of its points; of its cells, if these have a position and points have no values.
   ParticleTable table_of(const Tags& piece) const {
-    const auto points = parse_integer(attribute(piece, "NumberOfPoints"));
-    if (!points || *points < 0) fail("a Piece without NumberOfPoints");
-    ParticleTable table{.file = file_, .rows = static_cast<std::size_t>(*points)};
-    for (const char* section : {"Points", "PointData"}) {
-      for (const auto& [name, array] : inside(piece, section)) {
-        if (name != "DataArray") continue;
-        const bool is_position = std::string_view(section) == "Points";
-        const std::string called = is_position ? "Points" : attribute(array, "Name");
-        std::vector<double> values = values_of(array);
-        const auto components = parse_integer(attribute(array, "NumberOfComponents", is_position ? "3" : "1"));
-        const auto width = static_cast<std::size_t>(std::max<std::int64_t>(components.value_or(1), 1));
-        if (values.size() != table.rows * width)
-          fail("the array '" + shown(called, 40) + "' has " + std::to_string(values.size()) + " numbers, where " +
-               std::to_string(table.rows) + " points of " + std::to_string(width) + " need " +
-               std::to_string(table.rows * width));
-        table.add(called, width).values = std::move(values);
-      }
-    }
+    const Tags& of_cells = inside(piece, "CellData");
+    const bool is_of_cells =
+        inside(piece, "PointData").count("DataArray") == 0 && std::ranges::any_of(of_cells, [](const auto& array) {
+          return array.first == "DataArray" && attribute(array.second, "Name") == "position";
+        });
+    const char* number = is_of_cells ? "NumberOfCells" : "NumberOfPoints";
+    const auto rows = parse_integer(attribute(piece, number));
+    if (!rows || *rows < 0) fail(std::string("a Piece without ") + number);
+    ParticleTable table{.file = file_, .rows = static_cast<std::size_t>(*rows)};
+    if (!is_of_cells) add_arrays(inside(piece, "Points"), "Points", table);
+    add_arrays(is_of_cells ? of_cells : inside(piece, "PointData"), "", table);
     return table;
+  }
+
+  /// name: of its array; empty: each has its own.
+  void add_arrays(const Tags& section, const std::string& name, ParticleTable& table) const {
+    for (const auto& [tag, array] : section) {
+      if (tag != "DataArray") continue;
+      const std::string called = name.empty() ? attribute(array, "Name") : name;
+      std::vector<double> values = values_of(array);
+      const auto components = parse_integer(attribute(array, "NumberOfComponents", name.empty() ? "1" : "3"));
+      const auto width = static_cast<std::size_t>(std::max<std::int64_t>(components.value_or(1), 1));
+      if (values.size() != table.rows * width)
+        fail("the array '" + shown(called, 40) + "' has " + std::to_string(values.size()) + " numbers, where " +
+             std::to_string(table.rows) + " particles of " + std::to_string(width) + " need " +
+             std::to_string(table.rows * width));
+      table.add(called, width).values = std::move(values);
+    }
   }
 
   std::vector<double> values_of(const Tags& array) const {

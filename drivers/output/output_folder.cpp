@@ -16,7 +16,6 @@
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/own_files.hpp"
-#include "drivers/system/whole_file.hpp"
 
 namespace assay::drivers {
 
@@ -201,6 +200,14 @@ void OutputFolder::keep_inputs() const {
 }
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
+  stage(name, [&](const fs::path& path) { write_bytes(path, bytes, O_CREAT | O_EXCL); });
+}
+
+void OutputFolder::write_pieces(const std::string& name, const std::function<void(const PutBytes&)>& write) {
+  stage(name, [&](const fs::path& path) { drivers::write_pieces(path, write, O_CREAT | O_EXCL); });
+}
+
+void OutputFolder::stage(const std::string& name, const std::function<void(const fs::path&)>& write) {
   if (!is_ours(name)) throw std::logic_error("OutputFolder: " + name + " is not among the names of this result");
   put_files_right();
   const fs::path final_path = target_ / name;
@@ -211,7 +218,7 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
   make_parents(staging_, name);
   fs::remove(staging_ / name, error);  // under a strict umask it could not be opened again
   try {
-    write_bytes(staging_ / name, bytes, O_CREAT | O_EXCL);
+    write(staging_ / name);
   } catch (const SystemError& failure) {
     rethrow_with(failure, staging_ / name, final_path);
   }

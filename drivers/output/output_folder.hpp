@@ -3,9 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "drivers/system/whole_file.hpp"
 
 namespace assay::drivers {
 
@@ -39,6 +42,8 @@ class OutputFolder {
   /// Stages one file: all bytes on the disk, or SystemError. The name must match one of the patterns; with a slash in
   /// it the file lies in a sub-folder.
   void write(const std::string& name, std::string_view bytes);
+  /// The same of a file that `write` puts together from pieces.
+  void write_pieces(const std::string& name, const std::function<void(const PutBytes&)>& write);
 
   /// Publishes everything; the last file of its kind goes first and comes back last, so that a folder that holds one is
   /// complete. When it fails half-way everything is put back.
@@ -47,6 +52,7 @@ class OutputFolder {
   const std::filesystem::path& target() const { return target_; }
 
  private:
+  void stage(const std::string& name, const std::function<void(const std::filesystem::path&)>& write);
   bool make_folders();
   bool lock();
   void make_staging();

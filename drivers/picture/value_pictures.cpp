@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "drivers/picture/panel.hpp"
+#include "drivers/text/numbers.hpp"
 #include "drivers/text/words.hpp"
 
 namespace assay::drivers {
@@ -109,6 +110,17 @@ Shape shape_of(const View& view, const ParticleFrame& frame, std::size_t p) {
   return out;
 }
 
+/// Outlines show the shapes where there is room for them.
+bool has_room(const Shape& shape) { return shape.area > 81 && shape.thickness > 5; }
+
+/// Whether most polygons have room: on a cut some are as large as a domain and others slivers, and lines around some of
+/// them would look like a property of the body.
+bool most_have_room(const View& view, const ParticleFrame& frame) {
+  std::size_t with_room = 0;
+  for (std::size_t p = 0; p < frame.size(); ++p) with_room += has_room(shape_of(view, frame, p));
+  return 2 * with_room > frame.size();
+}
+
 void draw_particles(Canvas& canvas, const View& view, const ParticleFrame& frame, const ColorBar& bar) {
   const auto color = [&](std::size_t p) {
     const Color own = bar.color_of(frame.value[p]);
@@ -118,14 +130,14 @@ void draw_particles(Canvas& canvas, const View& view, const ParticleFrame& frame
     canvas.stroke(shape.corners, std::clamp(0.35 * std::sqrt(shape.area), 0.8, 2.5), color(p));
   };
   const bool in_order = !frame.shade.empty();  // what is nearer hides what is behind it
+  const bool is_outlined = frame.polygons.empty() || most_have_room(view, frame);
   // Sheared parallelograms do not tile: a little bleeding under all of them closes the cracks.
   for (std::size_t p = 0; !in_order && p < frame.size(); ++p) bleed(p, shape_of(view, frame, p));
   for (std::size_t p = 0; p < frame.size(); ++p) {
     const Shape shape = shape_of(view, frame, p);
     if (in_order) bleed(p, shape);
     canvas.fill(std::span(shape.corners).first(shape.corners.size() - 1), color(p));
-    // Outlines show the shapes where there is room for them.
-    if (shape.area > 81 && shape.thickness > 5) canvas.stroke(shape.corners, 0.6, mix(color(p), paper, 0.4));
+    if (is_outlined && has_room(shape)) canvas.stroke(shape.corners, 0.6, mix(color(p), paper, 0.4));
   }
 }
 
@@ -138,6 +150,40 @@ void draw_rings(Canvas& canvas, const View& view) {
     }
     canvas.stroke(circle, 1, ink);
   }
+}
+
+/// The largest of 1, 2, 5, 10, 20, ... that is not larger.
+double round_length(double most) {
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  return power * (most >= 5 * power ? 5 : most >= 2 * power ? 2 : 1);
+}
+
+void draw_space_axes(Canvas& canvas, const View& view) {
+  const auto& axes = view.picture.space_axes;
+  if (axes.empty()) return;
+  constexpr double part = 0.12, gap = 14, head = 7, from_left = 28, from_bottom = 20;  // of the width; [pixel]
+  const double length = round_length(part * (view.picture.upper[0] - view.picture.lower[0])),
+               size = length * view.scale;
+  Point origin{view.left + from_left, view.bottom - from_bottom - picture_text_size};
+  for (const SpaceAxis& axis : axes) {  // so that all of them have room
+    origin.x = std::max(origin.x, view.left + from_left - size * std::min(axis.right, 0.0));
+    origin.y = std::min(origin.y, view.bottom - from_bottom - picture_text_size + size * std::min(axis.up, 0.0) - gap);
+  }
+  for (const SpaceAxis& axis : axes) {
+    const double along = std::hypot(axis.right, axis.up);
+    if (!(along > 0.05)) continue;  // towards whoever looks
+    const Point unit{axis.right / along, -axis.up / along};
+    const Point tip{origin.x + size * axis.right, origin.y - size * axis.up};
+    canvas.stroke(std::array{origin, tip}, 1.8, ink);
+    const auto behind = [&](double aside) {
+      return Point{tip.x - head * unit.x - aside * unit.y, tip.y - head * unit.y + aside * unit.x};
+    };
+    canvas.fill(std::array{Point{tip.x + 3 * unit.x, tip.y + 3 * unit.y}, behind(4), behind(-4)}, ink);
+    canvas.text({tip.x + gap * unit.x, tip.y + gap * unit.y + 0.35 * picture_text_size}, axis.name,
+                {picture_text_size, ink, Anchor::middle});
+  }
+  canvas.text({view.left + from_left - 10, view.bottom - from_bottom + picture_text_size * 0.5},
+              rounded_text(length, 4) + " m", {picture_text_size, ink, Anchor::left});
 }
 
 void draw_frame_axes(Canvas& canvas, const View& view, const Layout& layout, bool with_y) {
@@ -212,6 +258,7 @@ std::string png(const ParticlePicture& picture) {
     draw_particles(canvas, view, picture.frames[i], bar);
     draw_rings(canvas, view);
     canvas.unclip();
+    draw_space_axes(canvas, view);
     if (!picture.x_label.empty()) draw_frame_axes(canvas, view, layout, i == 0);
     canvas.text({left + layout.panel_width / 2, layout.top - 12}, picture.frames[i].caption,
                 {picture_text_size, ink, Anchor::middle});

@@ -35,6 +35,12 @@ struct ParticleFrame {
   std::size_t size() const { return polygons.empty() ? x.size() : polygons.size(); }
 };
 
+/// An axis of space, as a view of a body shows its unit vector: to the right and upwards.
+struct SpaceAxis {
+  std::string name;
+  double right = 0, up = 0;
+};
+
 struct ParticlePicture {
   std::string title;
   std::string value_label;            ///< with its unit: "|u − u_{exact}| [m]"
@@ -44,6 +50,7 @@ struct ParticlePicture {
   std::vector<double> rings;                   ///< radii of circles around the origin drawn thin [m]
   std::string x_label = "x", y_label = "y";    ///< of the axes, without their unit; none: there are no axes
   std::array<double, 2> lower{-1.5, -1.5}, upper{1.5, 1.5};  ///< what is shown [m]
+  std::vector<SpaceAxis> space_axes;  ///< drawn in a corner, of a round length that is written beside them
 };
 
 /// One frame is about 900 pixels wide, three about 1500. At least one frame.

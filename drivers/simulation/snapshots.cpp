@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "drivers/scene/body_box.hpp"
+#include "drivers/simulation/picture_frames.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/vortex3d.hpp"
@@ -28,26 +28,6 @@ std::vector<VtuArray> compared_arrays(const PosedScene& problem, const std::vect
   const bool vortex = shows_shear(problem.scene.motion);
   return {{"displacement_error", 1, std::span<const double>(error)},
           {vortex ? "shear" : "jacobian", 1, std::span<const double>(measure)}};
-}
-
-/// What pictures show: the ring with a margin; of a body whose outside moves all of it, on all of its way [m].
-Box picture_box(const PosedScene& problem) {
-  const Scene& scene = problem.scene;
-  if (!ring_of(scene.motion)) {
-    Box box = swept_box(scene);
-    const double margin = 0.05 * std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
-    for (std::size_t d = 0; d < 2; ++d) box.lower[d] -= margin, box.upper[d] += margin;
-    return box;
-  }
-  double reach = 1.1 * ring_of(scene.motion)->outer;
-  if (scene.body.domain != Body::Domain::ring && scene.body.outside != Body::Outside::held) {
-    for (const double x : {scene.body.lower[0], scene.body.upper[0]}) {
-      for (const double y : {scene.body.lower[1], scene.body.upper[1]}) {
-        reach = std::max(reach, 1.03 * (scene.frame ? std::hypot(x, y) : std::max(std::abs(x), std::abs(y))));
-      }
-    }
-  }
-  return {{-reach, -reach}, {reach, reach}};
 }
 
 }  // namespace
@@ -108,8 +88,21 @@ std::string Snapshots<Dim>::leave_last_good(const ExactSolutionPtr& exact) const
     compared = compared_arrays(*problem_, error, measure);
   }
   std::string name = "last_good.vtu";
-  folder_->write(name, particles_vtu<Dim>(shown_, of, n, compared, good_t_));
+  write_particles(name, of, n, compared, good_t_, {}, false);
   return name;
+}
+
+template <int Dim>
+void Snapshots<Dim>::write_particles(const std::string& name, const ColumnView& of, std::size_t particles,
+                                     const std::vector<VtuArray>& more, double t,
+                                     const std::optional<double>& velocity_t, bool is_state) const {
+  if constexpr (Dim == 2) folder_->write(name, particles_vtu(shown_, of, particles, more, t, velocity_t));
+  if constexpr (Dim == 3) {
+    const SpaceDomains all(*problem_);
+    const SpaceDomains::Now domains = all.now(of, is_state);
+    folder_->write_pieces(
+        name, [&](const PutBytes& put) { put_particles(put, shown_, of, domains, particles, more, t, velocity_t); });
+  }
 }
 
 template <int Dim>
@@ -119,51 +112,9 @@ void Snapshots<Dim>::write_vtu(const mpm::State<Dim>& s, const ErrorSampler<Dim>
   if (sampler) more = compared_arrays(*problem_, sampler->displacement_error(), sampler->measure());
   const auto of = [&s](Column which, int component) { return s.column(which, component); };
   const std::string name = particles_name(static_cast<int>(entries_.size()));
-  folder_->write(name, particles_vtu<Dim>(shown_, of, s.particles, more, t, velocity_t));
+  write_particles(name, of, s.particles, more, t, velocity_t, true);
   entries_.push_back({t, name});
 }
-
-namespace {
-
-/// The particles of a body in the plane, as their domains are.
-ParticleFrame plane_frame(const Problem& problem, const mpm::State<2>& s, double t) {
-  ParticleFrame frame;
-  frame.caption = "t = " + rounded_text(t, 4) + " s";
-  const mpm::Seeds<2>& seeds = problem.setup.seeds;
-  // F is that of the edges, or of the diagonals
-  const bool convects = mpm::traits_of<2>(problem.setup.method.basis).convects;
-  const double *x = s.column(Column::position, 0), *y = s.column(Column::position, 1);
-  frame.x.assign(x, x + s.particles);
-  frame.y.assign(y, y + s.particles);
-  if (const auto& seen = problem.scene.frame) {  // pictures follow the body's centre
-    for (double& at : frame.x) at -= seen->velocity.x() * t;
-    for (double& at : frame.y) at -= seen->velocity.y() * t;
-  }
-  std::optional<mpm::GaussCells<2>> gauss;
-  const Scene& scene = problem.scene;
-  if (scene.body.lattice == Body::Lattice::gauss) gauss.emplace(scene.grid->spacing, scene.body.per_cell.in<2>());
-  for (auto* edge : {&frame.r1x, &frame.r1y, &frame.r2x, &frame.r2y}) edge->resize(s.particles);
-  for (std::size_t p = 0; p < s.particles; ++p) {
-    std::array<double, 4> H{seeds.half_size[0], 0, 0, seeds.half_size[1]};
-    if (!seeds.half_edges.empty()) H = seeds.half_edges[p];
-    if (gauss) {  // the part of its cell that its weight stands for is not around it
-      const std::array<double, 2> X = s.at<2>(Column::reference_position, p);
-      const Rectangle r = gauss->box_around(X);
-      H = {0.5 * (r.upper[0] - r.lower[0]), 0, 0, 0.5 * (r.upper[1] - r.lower[1])};
-      frame.x[p] += 0.5 * (r.lower[0] + r.upper[0]) - X[0];
-      frame.y[p] += 0.5 * (r.lower[1] + r.upper[1]) - X[1];
-    }
-    std::array<double, 4> F{1, 0, 0, 1};
-    if (convects) F = s.at<4>(Column::deformation_gradient, p);
-    frame.r1x[p] = F[0] * H[0] + F[1] * H[2];
-    frame.r2x[p] = F[0] * H[1] + F[1] * H[3];
-    frame.r1y[p] = F[2] * H[0] + F[3] * H[2];
-    frame.r2y[p] = F[2] * H[1] + F[3] * H[3];
-  }
-  return frame;
-}
-
-}  // namespace
 
 template <int Dim>
 typename Snapshots<Dim>::Frame Snapshots<Dim>::frame_of(const mpm::State<Dim>& s, const ErrorSampler<Dim>& sampler,
@@ -257,21 +208,27 @@ std::vector<typename Snapshots<Dim>::Written> Snapshots<Dim>::finish() {
   if (!latest_.drawn.empty() && latest_.t > frames_.back().t) show(std::move(latest_));
   ParticlePicture picture;
   if constexpr (Dim == 2) {
-    const Box box = picture_box(*problem_);
+    const Box box = plane_window(*problem_);
     if (const auto ring = ring_of(problem_->scene.motion)) picture.rings = {ring->inner, ring->outer};
     picture.lower = box.lower, picture.upper = box.upper;
     draw(0, "", picture, "", written);
   } else {
-    constexpr double margin = 1.08;
-    const double reach = margin * space_->reach();
-    picture.lower.fill(-reach), picture.upper.fill(reach);
+    const auto shapes = [&](std::size_t way) {
+      std::vector<const ParticleFrame*> all;
+      for (const Frame& frame : frames_) all.push_back(&frame.drawn[way].shape);
+      return all;
+    };
     const auto labels = space_->labels();
     picture.x_label = labels[0], picture.y_label = labels[1];
-    draw(0, "cut_", picture, "A cut through the middle of the body. ", written);
-    const double wide = 1.25 * reach;  // a box seen over its corner
-    picture.lower.fill(-wide), picture.upper.fill(wide);
+    show_all(shapes(0), space_->reach_of_cut(), picture);
+    draw(0, "cut_", picture, "A cut through the middle of the body, " + space_->cut_words() + ". ", written);
     picture.x_label = picture.y_label = "";
-    draw(1, "view_", picture, "The body from aside. A quarter is left out, so that the inside is seen. ", written);
+    picture.space_axes = space_->axes_of_view();
+    show_all(shapes(1), space_->reach_of_view(), picture);
+    draw(1, "view_", picture,
+         "The body from aside, without a quarter of it, so that the inside is seen. Faces turned from the light are "
+         "darker. ",
+         written);
   }
   return written;
 }

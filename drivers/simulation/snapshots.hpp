@@ -39,6 +39,10 @@ class Snapshots {
 
  private:
   void write_vtu(const mpm::State<Dim>& state, const ErrorSampler<Dim>* sampler, double t, double velocity_t);
+  /// is_state: whether the columns are all those of the state, else those that are shown.
+  void write_particles(const std::string& name, const ColumnView& of, std::size_t particles,
+                       const std::vector<VtuArray>& more, double t, const std::optional<double>& velocity_t,
+                       bool is_state) const;
 
   const ProblemIn<Dim>* problem_;
   OutputFolder* folder_;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "adapters/process/private_files.hpp"
+#include "drivers/system/input_bytes.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/system/output_bytes.hpp"
 #include "drivers/system/own_files.hpp"
@@ -74,14 +75,32 @@ int open_output(const fs::path& path, int flags) {
   return descriptor;
 }
 
+namespace {
+
+/// Pipes and terminals cannot be synced and say so.
+void sync_and_close(adapters::OpenFile& file, const fs::path& path) {
+  if (::fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS)
+    fail(path, "cannot be written", errno);
+  if (file.close() != 0 && errno != EINTR) fail(path, "cannot be written", errno);
+}
+
+}  // namespace
+
 void write_bytes(const fs::path& path, std::string_view bytes, int flags) {
   put_files_right();
   adapters::OpenFile file(open_output(path, flags));
   write_all(file.number(), bytes, path);
-  // Pipes and terminals cannot be synced and say so.
-  if (::fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS)
-    fail(path, "cannot be written", errno);
-  if (file.close() != 0 && errno != EINTR) fail(path, "cannot be written", errno);
+  sync_and_close(file, path);
+}
+
+void write_pieces(const fs::path& path, const std::function<void(const PutBytes&)>& write, int flags) {
+  put_files_right();
+  adapters::OpenFile file(open_output(path, flags));
+  write([&](std::uint64_t at, std::string_view bytes) {
+    stop_if_interrupted();
+    if (!write_at_all(file.number(), at, bytes)) fail(path, "cannot be written", errno);
+  });
+  sync_and_close(file, path);
 }
 
 void sync_path(const fs::path& path) {

@@ -2,7 +2,9 @@
 // Files that appear whole or not at all, and the hidden names under which they are written first.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -17,6 +19,12 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// Opens with these flags of open(), writes, syncs and closes, and believes none of them. Throws SystemError.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes, int flags);
+
+/// Puts bytes at a place of a file.
+using PutBytes = std::function<void(std::uint64_t at, std::string_view bytes)>;
+
+/// The same of a file that `write` puts together from pieces.
+void write_pieces(const std::filesystem::path& path, const std::function<void(const PutBytes&)>& write, int flags);
 
 /// The number of a file or pipe, open for writing, with these flags of open() too. Throws SystemError.
 int open_output(const std::filesystem::path& path, int flags);

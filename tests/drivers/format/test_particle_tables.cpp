@@ -4,6 +4,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -12,6 +13,7 @@
 #include "drivers/format/particle_tables.hpp"
 #include "drivers/output/html.hpp"
 #include "drivers/output/vtu.hpp"
+#include "drivers/output/vtu_cells.hpp"
 #include "drivers/system/input_error.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 
@@ -112,6 +114,36 @@ TEST_F(ParticleTables, OfOurOwnSnapshots) {
   EXPECT_EQ(array(found, "id"), (Values{4, 5, 6}));
   EXPECT_EQ(array(found, "Points", 3), positions);
   EXPECT_EQ(array(found, "velocity", 3), velocities);
+}
+
+/// Cells with a position of their own, whose points are corners.
+TEST_F(ParticleTables, OfOurOwnSnapshotsInSpace) {
+  std::string text;
+  const auto put = [&](std::uint64_t at, std::string_view bytes) {
+    if (text.size() < at + bytes.size()) text.resize(at + bytes.size());
+    text.replace(at, bytes.size(), bytes);
+  };
+  const auto made = [](const std::string& name, const Values& values) {
+    return MadeArray<double>{name, 3, [&values](std::size_t first, std::size_t count, double* out) {
+                               std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(3 * first), 3 * count, out);
+                             }};
+  };
+  const MadeArray<double> corners{
+      "", 24, [](std::size_t, std::size_t count, double* out) { std::fill_n(out, 24 * count, 0.5); }};
+  for (const char* name : {"position", "middle"}) {
+    text.clear();
+    write_cells(put, 3, {made(name, positions), made("velocity", velocities)}, corners, 0.25, 0.2);
+    const ParticleTable found = table("a.vtu", text);
+    EXPECT_EQ(found.time, 0.25);
+    EXPECT_EQ(found.velocity_time, 0.2);
+    const bool is_of_particles = std::string_view(name) == "position";
+    EXPECT_EQ(found.rows, is_of_particles ? 3U : 24U);  // else points of a mesh
+    if (!is_of_particles) continue;
+    EXPECT_EQ(array(found, "id"), (Values{0, 1, 2}));
+    EXPECT_EQ(array(found, "position", 3), positions);
+    EXPECT_EQ(array(found, "velocity", 3), velocities);
+    EXPECT_EQ(found.array("Points"), nullptr);
+  }
 }
 
 /// A file of VTK with arrays inline; encoded(values): what stands in an array.

@@ -125,6 +125,25 @@ TEST_F(OutputFolderTest, nothing_is_there_before_commit_and_all_of_it_after) {
   EXPECT_EQ(read(target_ / "errors.csv"), std::string("a\0b", 3));
 }
 
+TEST_F(OutputFolderTest, a_file_may_come_in_pieces_at_any_places) {
+  OutputFolder folder(target_);
+  folder.write_pieces("last_good.vtu", [](const PutBytes& put) { put(3, "def"), put(0, "abc"); });
+  folder.write("result.json", "{}");
+  folder.commit();
+  EXPECT_EQ(read(target_ / "last_good.vtu"), "abcdef");
+  EXPECT_THROW(folder.write_pieces("mine.vtu", [](const PutBytes&) {}), std::logic_error);
+}
+
+TEST_F(OutputFolderTest, pieces_that_fail_leave_nothing) {
+  const std::string found = system_error([&] {
+    OutputFolder folder(target_);
+    folder.write_pieces("last_good.vtu", [](const PutBytes& put) { put(std::uint64_t{1} << 63, "beyond any file"); });
+  });
+  EXPECT_NE(found.find("last_good.vtu: cannot be written"), found.npos) << found;
+  EXPECT_EQ(found.find(".assay-"), found.npos) << "the name that the user knows: " << found;
+  EXPECT_TRUE(names(root_).empty());
+}
+
 TEST_F(OutputFolderTest, without_commit_nothing_is_left_not_even_the_folders) {
   { OutputFolder(target_).write("result.json", "{}"); }
   EXPECT_TRUE(names(root_).empty());

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "tests/drivers/sample_vortex.hpp"
 #include "tests/support/png.hpp"
@@ -112,6 +115,78 @@ TEST(ParticlePicture, several_frames_stand_side_by_side) {
   for (const double t : {0.0, 0.5, 1.0}) picture.frames.push_back(sample_vortex(0.05, t));
   const Image image = decode(png(picture));
   EXPECT_GT(image.width, 2 * image.height);
+}
+
+/// One square as a polygon, with the shade of a face that is turned from the light.
+ParticlePicture one_polygon(double shade) {
+  ParticlePicture picture;
+  picture.frames = {{"", {}, {}, {}, {}, {}, {}, {1}, {{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}}, {shade}}};
+  picture.range = {0, 1};
+  return picture;
+}
+
+TEST(ParticlePicture, shaded_polygons_are_darker) {
+  const Color yellow = map_color(ColorMap::viridis, 1);
+  const double cx = 78 + 350, cy = 18 + 350;
+  EXPECT_EQ(decode(png(one_polygon(0))).at(cx, cy), yellow);
+  EXPECT_EQ(decode(png(one_polygon(0.25))).at(cx, cy), mix(yellow, rgb(0), 0.25));
+}
+
+TEST(ParticlePicture, what_is_later_hides_what_is_behind_it) {
+  ParticlePicture picture = one_polygon(0);
+  ParticleFrame& frame = picture.frames[0];
+  frame.polygons.push_back({{-0.2, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {-0.2, 0.2}});
+  frame.value.push_back(0);
+  frame.shade.push_back(0);
+  const double cx = 78 + 350, cy = 18 + 350;
+  EXPECT_EQ(decode(png(picture)).at(cx, cy), map_color(ColorMap::viridis, 0));
+  std::swap(frame.polygons[0], frame.polygons[1]);
+  std::swap(frame.value[0], frame.value[1]);
+  EXPECT_EQ(decode(png(picture)).at(cx, cy), map_color(ColorMap::viridis, 1));
+}
+
+/// A large polygon among slivers has no outline, for a line around it alone would say something.
+TEST(ParticlePicture, outlines_are_around_most_polygons_or_none) {
+  const auto lines = [](int slivers) {
+    ParticlePicture picture = one_polygon(0);
+    ParticleFrame& frame = picture.frames[0];
+    for (int k = 0; k < slivers; ++k) {
+      const double x = 0.6 + 0.1 * k;
+      frame.polygons.push_back({{x, 0}, {x + 0.002, 0}, {x + 0.002, 0.1}, {x, 0.1}});
+      frame.value.push_back(1);
+      frame.shade.push_back(0);
+    }
+    return decode(png(picture)).at(78 + 350, 18 + 350 + 700.0 / 6) != map_color(ColorMap::viridis, 1);
+  };
+  EXPECT_TRUE(lines(0));
+  EXPECT_FALSE(lines(3));
+}
+
+/// x to the right, z upwards, and y, which comes towards whoever looks, not at all; 3 m wide: of 0.2 m.
+TEST(ParticlePicture, axes_of_space_stand_in_the_corner) {
+  ParticlePicture picture = one_square(0.5);
+  picture.x_label = picture.y_label = "";
+  const Image without = decode(png(picture));
+  picture.space_axes = {{"x", 1, 0}, {"y", 0.01, 0}, {"z", 0, 1}};
+  const Image with = decode(png(picture));
+  int right = 0, up = 0, beyond = 0;
+  for (int y = 18; y < 718; ++y) {
+    for (int x = 78; x < 778; ++x) {
+      if (with.at(x, y) == without.at(x, y)) continue;
+      ++(x < 78 + 140 && y > 718 - 140 ? x > 78 + 60 ? right : up : beyond);
+    }
+  }
+  EXPECT_GT(right, 20);
+  EXPECT_GT(up, 40);
+  EXPECT_EQ(beyond, 0);
+  const double length = 0.2 * 700 / 3;
+  int row_of_arrow = 0;  // the longest dark row
+  for (int y = 578; y < 718; ++y) {
+    int dark = 0;
+    for (int x = 78; x < 218; ++x) dark += with.at(x, y).r < 0x60;
+    row_of_arrow = std::max(row_of_arrow, dark);
+  }
+  EXPECT_NEAR(row_of_arrow, length, 10);
 }
 
 TEST(ParticlePicture, refuses_what_does_not_fit_together) {
