@@ -83,10 +83,9 @@ std::array<double, 2> Revolution::reach() const {
 Vector3 Revolution::half_box() const {
   const Vector3 along = unit_along(axis).cwiseAbs();
   const Vector3 across = (1 - along.array().square()).max(0).sqrt();
-  const Vector3 ball = Vector3::Constant(radius);
-  if (profile == Profile::torus) return ring_radius.value_or(0) * across + ball;
   if (profile == Profile::drum) return radius * across + height.value_or(radius) * along;
-  return ball;
+  if (profile == Profile::torus) return ring_radius.value_or(0) * across + Vector3::Constant(radius);
+  return Vector3::Constant(radius);
 }
 
 double Revolution::length() const {
