@@ -11,23 +11,15 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
+#include "tests/adapters/foreign/component_faults.h"
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"
 
 namespace assay::drivers::test_component_faults {
 namespace {
 
-/// As the models number them: tests/adapters/foreign/component_faults.h.
-enum Fault {
-  none,
-  swapped_13_23,
-  doubled_23,
-  halved_13,
-  opposite_13,
-  exchanged_22_33,
-  five_percent_in_23,
-  five_percent_in_33
-};
+using Fault = component_fault;
+constexpr Fault none = no_fault;
 constexpr Fault all_faults[] = {swapped_13_23,   doubled_23,         halved_13,         opposite_13,
                                 exchanged_22_33, five_percent_in_23, five_percent_in_33};
 constexpr double stands_out = 3;  ///< error with a fault over that without one, at least; 3.2 is the least measured
