@@ -31,6 +31,9 @@ struct JudgedState {
 inline constexpr double telling = 3;
 inline constexpr double rounding = 1e-9;  ///< an error of this share of the displacement says nothing
 
+/// Where the body is far larger or smaller than that of the scene; else empty.
+std::string size_words(const Seeds& seeds, const BodyPlace& body);
+
 /// The unit in which the body is about as large as that of the scene, where it is not without one. It tells where no
 /// error does: of a body that lies beyond all that moves, or is stretched evenly.
 std::optional<Candidate> unit_by_size(const Seeds& seeds, const BodyPlace& body);

@@ -132,6 +132,18 @@ void find_mistakes(JudgeFindings& findings, const Scene& scene, const std::share
     found.answer = Identification::Answer::unknown;
     found.sentence = words_of_wave(wave);
   }
+  const auto of_the_start = [&] {
+    const auto named = found.candidates.begin();
+    return std::any_of(
+        named, named + static_cast<std::ptrdiff_t>(std::max<std::size_t>(found.alike, 1)),
+        [](const CauseCandidate& each) { return each.family->name == std::string_view("initial_velocity"); });
+  };
+  if (found.is_wrong() && starts_otherwise(findings) && !of_the_start()) {
+    found.answer = Identification::Answer::unknown;
+    found.sentence =
+        "the velocities at t = 0 are not those of the scene: its amplitude, period or radii, or the initial velocity. "
+        "Mistakes of a force are told from a right start";
+  }
   code.answer = word_of(found.answer);
   code.sentence = found.sentence;
   if (found.answer == Identification::Answer::method && is_vortex(scene.motion))

@@ -70,6 +70,7 @@ JudgedGrid judged_grid(JudgedRun run, const std::vector<Label>& labels, double h
   grid.pairing = pairing_words(pairing, seeds);
   grid.by_nearest = pairing == Pairing::nearest;
   double largest = 0;
+  double stress = 0, stress_error = 0;
   for (const FrameErrors& frame : errors_of(run, seeds, pairing, exact, bins ? &*bins : nullptr)) {
     const auto most = [](std::int64_t& figure, std::size_t found) {
       figure = std::max(figure, static_cast<std::int64_t>(found));
@@ -82,6 +83,10 @@ JudgedGrid judged_grid(JudgedRun run, const std::vector<Label>& labels, double h
     if (!grid.history.empty() && frame.sample.t == grid.history.back().t)
       warnings.push_back(run.name + ": two frames have the time " + rounded_text(frame.sample.t, 6) + " s");
     largest = std::max(largest, frame.exact_displacement);
+    if (frame.sample.t == 0 && frame.exact_velocity > 0 && frame.velocity > 0)
+      grid.start = frame.sample.velocity.l2 / frame.exact_velocity;
+    stress = std::max(stress, frame.exact_stress);
+    stress_error = std::max(stress_error, frame.sample.stress.l2);  // not a number where none is written
     if (!grid.worst || frame.worst > *grid.worst) {
       grid.worst = frame.worst, grid.worst_t = frame.sample.t, grid.worst_id = frame.worst_id;
       grid.worst_X.assign(frame.worst_X.data(), frame.worst_X.data() + exact.dimension());
@@ -97,10 +102,13 @@ JudgedGrid judged_grid(JudgedRun run, const std::vector<Label>& labels, double h
     if (!picture.x.empty()) grid.picture = png_of(picture);
     grid.picture_caption = "Error of the positions where it is largest, " + picture.caption + ", on the finest grid.";
   }
+  if (stress > 0 && stress_error > 0) grid.relative_stress = stress_error / stress;
   grid.bins = std::move(bins);
   grid.error = figures_of(grid.history, half_period, end, largest);
   leave_out_missing(grid.error, grid.history);
-  grid.is_beyond_sight = grid.by_nearest && grid.error.l2_max.value_or(0) > seen_by_nearest * seeds.spacing;
+  const bool several_at_one = grid.lost + grid.doubled + grid.unknown > 0;  // which is what the nearest ones are then
+  grid.is_beyond_sight =
+      grid.by_nearest && (several_at_one || grid.error.l2_max.value_or(0) > seen_by_nearest * seeds.spacing);
   if (only_at_rest(run, half_period)) {
     grid.error.relative.reset();  // to a motion that is nearly back
     warnings.push_back(
@@ -123,82 +131,6 @@ JudgedGrid judged_grid(JudgedRun run, const std::vector<Label>& labels, double h
     warnings.push_back(run.name + ": the positions are written with an error of " + rounded_text(run.rounding, 2) +
                        " m, and that is most of what is measured. Write more digits");
   return grid;
-}
-
-namespace {
-
-FlatValue figure_for(const JudgeFindings& findings, const std::string& key) {
-  const auto of = [](const Figure& value) { return value ? FlatValue(*value) : FlatValue(); };
-  if (key == order_key) return of(findings.order);
-  if (key == last_order_key) return of(findings.last_order);
-  if (findings.runs.empty()) return {};
-  Result finest;
-  finest.error = findings.runs.back().error;
-  const auto all = flatten(finest);
-  const auto found = all.find(key);
-  return found == all.end() ? FlatValue() : found->second;
-}
-
-constexpr const char* beyond_sight =
-    "the errors cannot be measured: each particle was taken for the nearest one, and they are as large as the distance "
-    "between particles lets them look. Write ids or reference positions";
-
-}  // namespace
-
-void conclude(JudgeFindings& findings, const std::vector<Expectation>& expected) {
-  std::vector<double> h, error;
-  for (const JudgedGrid& grid : findings.runs) {
-    if (grid.h && grid.error.l2_max) h.push_back(*grid.h), error.push_back(*grid.error.l2_max);
-  }
-  if (const auto fit = fitted_order(h, error)) {
-    findings.order = fit->order;
-    if (fit->lower) findings.order_lower = *fit->lower;
-    if (fit->upper) findings.order_upper = *fit->upper;
-    const auto pairs = pairwise_orders(h, error);
-    if (!pairs.empty() && pairs.back()) findings.last_order = *pairs.back();
-    if (h.size() > 2) findings.range = asymptotic_range(h, error).sentence;
-  }
-  std::vector<std::string> causes;
-  std::int64_t lost = 0;
-  for (const JudgedGrid& grid : findings.runs) {
-    for (const LabelFigures& label : grid.labels) {
-      if (std::ranges::find(causes, label.cause) == causes.end()) causes.push_back(label.cause);
-    }
-    lost += grid.lost + grid.doubled + grid.unknown + grid.not_numbers;
-  }
-  std::string fails;
-  for (const Expectation& line : expected) {
-    findings.expect.push_back(judged(line, figure_for(findings, line.key)));
-    const ExpectationOutcome& outcome = findings.expect.back();
-    if (outcome.holds) continue;
-    const std::string found = outcome.found == "null" ? "none" : shortened(outcome.found, 3);
-    fails += (fails.empty() ? "" : "; ") + line.key + " " + found + ", expected " + outcome.expected;
-  }
-  constexpr double as_large = 0.5, falling = 0.5, nothing = 1e-9;  // of the displacement; an order; an error
-  const Figure relative = findings.runs.empty() ? Figure() : findings.runs.back().error.relative;
-  const auto unmeasured = std::ranges::find(findings.runs, 0, &JudgedGrid::measured);
-  std::string doubt;
-  if (unmeasured != findings.runs.end()) {
-    doubt = "nothing is measured: no particle of " + unmeasured->name +
-            " lies where the scene's body moves. Another unit of length, another origin, another scene?";
-  } else if (!findings.runs.empty() && findings.runs.back().is_beyond_sight) {
-    doubt = beyond_sight;
-  } else if (relative && *relative > as_large) {
-    doubt = "the error is " + rounded_text(100 * *relative, 2) +
-            " % of the motion itself: another scene, a body that does not move, or one axis in another unit?";
-  } else if (findings.last_order && *findings.last_order < falling && relative && *relative > nothing) {
-    doubt = "the error does not fall on finer grids: order " + rounded_text(*findings.last_order, 3);
-  }
-  const CodeFindings& code = findings.code_findings;
-  findings.good = causes.empty() && lost == 0 && fails.empty() && doubt.empty() && !code.is_wrong();
-  findings.verdict = !causes.empty()        ? "mistakes in the data: " + joined(causes)
-                     : code.is_wrong()      ? "a mistake in the code: " + code.sentence
-                     : lost > 0             ? "particles are lost, doubled or no numbers"
-                     : !doubt.empty()       ? doubt
-                     : !fails.empty()       ? fails
-                     : !findings.last_order ? "nothing is wrong with the data"
-                                            : "nothing is wrong; order " + rounded_text(*findings.last_order, 3) +
-                                                  " between the two finest grids";
 }
 
 std::string judge_json(const JudgeFindings& findings) {

@@ -88,6 +88,8 @@ struct JudgedGrid {
   std::optional<BinnedErrors> bins = {};  ///< by which mistakes of the code are told
   bool by_nearest = false;                ///< neither ids nor reference positions tell the particles
   bool is_beyond_sight = false;           ///< its errors are as large as such a pairing can show
+  Figure start;                           ///< error of v at t = 0 over the scene's v; absent where no v is written then
+  Figure relative_stress;                 ///< its largest error over time, over the largest stress of the scene [1]
 
   static void fields(auto& self, auto& archive) {
     archive("name", self.name, "", "file or folder of the run");
@@ -158,6 +160,9 @@ JudgedGrid judged_grid(JudgedRun run, const std::vector<Label>& labels, double h
 /// Looks for mistakes of the code behind the errors of the runs. Throws MaterialFailure, Interrupted.
 void find_mistakes(JudgeFindings& findings, const Scene& scene, const std::shared_ptr<const Material>& material,
                    bool quiet);
+
+/// Whether the velocities at t = 0 are not those of the scene.
+bool starts_otherwise(const JudgeFindings& findings);
 
 /// Orders over the runs, what becomes of the expectations of orders and of the finest run's errors, and the verdict.
 void conclude(JudgeFindings& findings, const std::vector<Expectation>& expected);

@@ -44,21 +44,26 @@ std::string order_words(const JudgeFindings& findings) {
 }
 
 /// Largest L2 errors of the finest run's other fields.
-std::string other_fields(const JudgedGrid& grid) {
+std::string other_fields(const JudgeFindings& findings) {
+  const JudgedGrid& grid = findings.runs.back();
   std::string words;
   const auto add = [&](const FieldMaximum& field, const std::string& name, const std::string& unit) {
     if (field.l2_max) words += (words.empty() ? "" : ", ") + name + " " + rounded_text(*field.l2_max, 3) + unit;
   };
   add(grid.error.velocity, "v", " m/s"), add(grid.error.deformation_gradient, "F", "");
   add(grid.error.jacobian, "J", ""), add(grid.error.stress, "stress", " Pa");
-  return words.empty() ? "" : wrapped("L2 max on the finest grid: " + words, "  ", "    ");
+  const std::string where = findings.runs.size() > 1 ? " on the finest grid: " : ": ";
+  return words.empty() ? "" : wrapped("L2 max" + where + words, "  ", "    ");
 }
 
 /// How the runs were read, once where it was done alike.
 std::string reading_words(const JudgeFindings& findings) {
   std::string text, last;
   for (const JudgedGrid& grid : findings.runs) {
-    const std::string words = grid.read + "; " + grid.times + "; " + grid.pairing;
+    std::string words = grid.read + "; " + grid.times + "; " + grid.pairing;
+    if (grid.measured < grid.particles)
+      words +=
+          "; the scene moves at most " + grouped_text(grid.measured) + " of them at a time, and these are measured";
     if (words != last) text += wrapped((last.empty() ? "read as: " : grid.name + ": ") + words, "  ", "    ");
     last = words;
   }
@@ -116,7 +121,7 @@ std::string judge_text(const JudgeFindings& findings, const std::string& folder)
   if (!findings.code_findings.sentence.empty() &&
       findings.verdict.find(findings.code_findings.sentence) == std::string::npos)
     text += wrapped("code: " + findings.code_findings.sentence, "  ", "    ");
-  text += other_fields(findings.runs.back());
+  text += other_fields(findings);
   text += reading_words(findings);
   for (const JudgedGrid& grid : findings.runs) {
     if (!grid.left_out.empty()) text += wrapped(grid.name + ": left out: " + joined(grid.left_out), "  ", "    ");

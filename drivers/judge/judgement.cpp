@@ -70,7 +70,7 @@ std::vector<FrameErrors> errors_of(const JudgedRun& run, const Seeds& seeds, Pai
     errors.pairs = find(frame);
     errors.pairs.put_X(frame, seeds, pairing, X);
     const std::vector<char>& moving = exact.moving(X);
-    NormAccumulator u, v, F, J, stress, displacement, everywhere, of_v, of_F, of_stress;
+    NormAccumulator u, v, F, J, stress, displacement, everywhere, written_v, of_v, of_F, of_stress;
     bool any_F = false, any_J = false, any_stress = false;
     errors.worst = -1;
     if (bins) bins->begin_frame(frame.t);
@@ -96,7 +96,10 @@ std::vector<FrameErrors> errors_of(const JudgedRun& run, const Seeds& seeds, Pai
       of_F.add(volume, distance2(Tensor(Tensor::Identity()), F_exact));
       of_stress.add(volume, distance2(Tensor(Tensor::Zero()), sigma_of(e)));
       displacement.add(volume, distance2(X[k], e.x, dimension));
-      if (!frame.v.empty()) v.add(volume, distance2(frame.v[p], later.v, dimension));  // (28)
+      if (!frame.v.empty()) {
+        v.add(volume, distance2(frame.v[p], later.v, dimension));  // (28)
+        written_v.add(volume, frame.v[p].squaredNorm());
+      }
       if (const double d = frame.F.empty() ? not_written : distance2(frame.F[p], F_exact); !std::isnan(d))
         F.add(volume, d), any_F = true;
       if (const double found = jacobian_of(frame, p); !std::isnan(found))
@@ -111,6 +114,7 @@ std::vector<FrameErrors> errors_of(const JudgedRun& run, const Seeds& seeds, Pai
     errors.worst = std::sqrt(std::max(errors.worst, 0.0));
     errors.exact_displacement = displacement.l2();
     errors.exact_velocity = of_v.l2(), errors.exact_strain = of_F.l2(), errors.exact_stress = of_stress.l2();
+    errors.velocity = frame.v.empty() ? 0 : written_v.l2();
     const bool paired = errors.measured > 0;
     errors.sample = {frame.t,
                      of(u, paired),

@@ -22,6 +22,7 @@ struct FrameErrors {
   std::size_t measured = 0;                                       ///< pairs that the exact motion moves
   double exact_displacement = 0;                                  ///< its L2 norm [m]
   double exact_velocity = 0, exact_strain = 0, exact_stress = 0;  ///< of v [m/s], F - I [1] and sigma [Pa]
+  double velocity = 0;                                            ///< L2 norm of what is written [m/s]; 0 where none is
   double worst = 0;                                               ///< largest error of a position [m]
   std::optional<double> worst_id;  ///< of that particle; its number from 0 where there are no ids
   Vector3 worst_X = Vector3::Zero();

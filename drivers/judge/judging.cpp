@@ -54,7 +54,8 @@ void check_spacings(const std::vector<JudgedGrid>& runs, std::vector<std::string
                              ": spacings are in the order of the runs");
       }
     }
-    if (*a.h > far * *a.spacing || far * *a.h < *a.spacing) {
+    constexpr double apart = 3;  // a cell with less than a particle in it
+    if (*a.h > far * *a.spacing || apart * *a.h < *a.spacing) {
       warnings.push_back("--h gives " + rounded_text(*a.h, 4) + " m for " + a.name + ", whose particles are " +
                          rounded_text(*a.spacing, 3) + " m apart");
     }
@@ -124,7 +125,11 @@ JudgeFindings findings_of(Scene scene, const JudgeTask& task) {
   take_labels(runs, spacing, findings.warnings, labels, [&](const JudgedRun& run, const Causes& left_out) {
     return position_labels(run, body, motion, left_out);
   });
-  for (const JudgedRun& run : runs) end = std::max(end, run.frames.back().t);
+  for (const JudgedRun& run : runs) {
+    end = std::max(end, run.frames.back().t);
+    if (const std::string words = size_words(seeds_of(run, motion), body); !words.empty())
+      findings.warnings.push_back(run.name + ": " + words);
+  }
   if (scene.force.response == ForceChoice::Response::none) scene.force.response = ForceChoice::Response::sheet;
   ExactParticles exact(
       stress ? exact_solution_of_points(scene, material, end, task.quiet) : motion_alone(scene, material), dimension);

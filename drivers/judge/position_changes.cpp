@@ -203,6 +203,13 @@ void add_identities(std::vector<Candidate>& all, const JudgedState& now, double 
 
 }  // namespace
 
+std::string size_words(const Seeds& seeds, const BodyPlace& body) {
+  constexpr double other = 5;  // a ring alone, of a square around it, is a part of it
+  const double ratio = place_of(seeds).size / body.size;
+  if (!std::isfinite(ratio) || (ratio < other && ratio * other > 1)) return {};
+  return "the body is " + rounded_text(ratio, 3) + " times as large as that of the scene: is the unit of length right?";
+}
+
 std::optional<Candidate> unit_by_size(const Seeds& seeds, const BodyPlace& body) {
   constexpr double alike = 4, near = 2;  // bodies may be wider than what moves of them
   const double ratio = place_of(seeds).size / body.size;

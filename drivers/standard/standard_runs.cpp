@@ -3,9 +3,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <list>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "drivers/study/run/runner.hpp"
 #include "drivers/system/input_file.hpp"
@@ -20,15 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ProcessEnd waited_for(CaseProcess process, Progress& progress, double share, const std::string& detail) {
-  constexpr int pause_us = 20'000;
-  while (!process.is_over()) {
-    stop_if_interrupted();
-    progress.update(share, detail);
-    ::usleep(pause_us);
-  }
-  return process.end();
-}
+struct GridRun {
+  const StandardProblem* problem;
+  double h;
+  fs::path folder;
+  std::vector<std::string> words;  ///< of the program
+  std::string fault = {};          ///< why it has not reached its end; empty: it has
+};
 
 /// What judge takes for the cost of a run: seconds of its steps, in one thread.
 void write_cost(const fs::path& run, double seconds) {
@@ -50,6 +51,32 @@ std::string fault_of(const fs::path& run, const ProcessEnd& end) {
   return outcome;
 }
 
+/// All of them, one a core at a time. The last ones are the largest and begin first.
+void run_all(const std::string& program, std::vector<GridRun>& all, Progress& progress) {
+  constexpr int pause_us = 20'000;
+  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+  std::list<std::pair<GridRun*, CaseProcess>> running;
+  std::size_t waiting = all.size();
+  while (waiting > 0 || !running.empty()) {
+    for (; running.size() < cores && waiting > 0; --waiting) {
+      GridRun& next = all[waiting - 1];
+      running.emplace_back(&next, CaseProcess(program, next.words, 0));
+    }
+    const GridRun& first = *running.front().first;
+    const std::size_t over = all.size() - waiting - running.size();
+    progress.update(static_cast<double>(over) / static_cast<double>(all.size()),
+                    first.problem->id + ", h = " + rounded_text(first.h, 3));
+    std::erase_if(running, [](auto& each) {
+      auto& [run, process] = each;
+      if (!process.is_over()) return false;
+      run->fault = fault_of(run->folder, process.end());
+      return true;
+    });
+    stop_if_interrupted();
+    ::usleep(pause_us);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> sets_of(const StandardSet& set, const StandardMethod& method, const StandardProblem& problem) {
@@ -62,29 +89,29 @@ std::vector<std::string> sets_of(const StandardSet& set, const StandardMethod& m
 CardCode run_by(const StandardSet& set, const StandardMethod& method, const std::string& out, bool quiet,
                 const std::string& program) {
   const fs::path folder = fs::path(out) / method.folder;
-  std::map<std::string, std::string> faults;  // of problems
   Progress progress(method.name, quiet);
-  std::size_t done = 0;
+  std::vector<GridRun> all;
   for (const StandardProblem& problem : set.problems) {
-    const double share = static_cast<double>(done++) / static_cast<double>(set.problems.size());
     fs::create_directories(folder / problem.id);
     const fs::path scene = folder / problem.id / problem.file();
     write_file(scene, problem.text);
-    const std::vector<std::string> sets = sets_of(set, method, problem);
     for (const double h : problem.grids) {
-      const fs::path run = folder / problem.id / folder_of_grid(h);
-      std::vector<std::string> words{
-          "run",   scene.string(), "-o", run.string(), "--quiet", "--set", "grid.spacing=" + number_text(h),
-          "--set", "expect={}"};
-      for (const std::string& setting : sets) words.insert(words.end(), {"--set", setting});
-      const ProcessEnd end =
-          waited_for(CaseProcess(program, words, 0), progress, share, problem.id + ", h = " + rounded_text(h, 3));
-      const std::string fault = fault_of(run, end);
-      if (!fault.empty())
-        faults[problem.id] += (faults[problem.id].empty() ? "" : "; ") + folder_of_grid(h) + ": " + fault;
+      GridRun run{&problem, h, folder / problem.id / folder_of_grid(h), {}};
+      run.words = {"run", scene.string(), "-o", run.folder.string(), "--quiet", "--threads", "1"};
+      run.words.insert(run.words.end(), {"--set", "grid.spacing=" + number_text(h), "--set", "expect={}"});
+      for (const std::string& setting : sets_of(set, method, problem))
+        run.words.insert(run.words.end(), {"--set", setting});
+      all.push_back(std::move(run));
     }
   }
+  run_all(program, all, progress);
   progress.finish();
+  std::map<std::string, std::string> faults;  // of problems
+  for (const GridRun& run : all) {
+    if (run.fault.empty()) continue;
+    std::string& of_problem = faults[run.problem->id];
+    of_problem += (of_problem.empty() ? "" : "; ") + folder_of_grid(run.h) + ": " + run.fault;
+  }
   write_file(folder / "judge.map.yaml", "code: '" + method.name + "'\n");
   CardCode code = judged_code(set, folder.string(), folder.string(), quiet);
   code.name = method.name;

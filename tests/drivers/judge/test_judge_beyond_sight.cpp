@@ -82,6 +82,57 @@ TEST_F(JudgeBeyondSight, OfParticlesWithoutNamesASmallErrorIs) {
   EXPECT_NEAR(found.l2(), of(Planted(), {"id", "X", "x", "v"}).l2(), 1e-9);
 }
 
+TEST_F(JudgeBeyondSight, OfTwoGridsWithoutNamesNoOrderIsToldEither) {
+  const Planted coarse = wrong(), fine(Planted().scene_file, 0.6, 0.5 * Planted::spacing);
+  const Verdict found = verdict_of(
+      coarse.scene_file,
+      {scratch_.write("coarse.csv", coarse.text({"x"})), scratch_.write("fine.csv", fine.text({"x"}))}, scratch_);
+  EXPECT_EQ(found.status, 1);
+  EXPECT_TRUE(says(found, "cannot be measured")) << found.json["verdict"];
+  EXPECT_TRUE(found.json["order"].is_null());
+}
+
+/// A scene of other parameters than those of the run.
+TEST_F(JudgeBeyondSight, AnotherSceneIsToldByItsVelocitiesAtTheStart) {
+  const std::string scene = bytes_of(Planted().scene_file);
+  for (const auto& [from, to] : {std::pair{"peak: 1.0", "peak: 0.7"}, {"profile_power: 2", "profile_power: 4"}}) {
+    std::string other = scene;
+    ASSERT_NE(other.find(from), std::string::npos) << scene;
+    other.replace(other.find(from), std::string(from).size(), to);
+    const std::string file = scratch_.write("other.yaml", other);
+    const Verdict found =
+        verdict_of(file, {scratch_.write("run.csv", Planted().text({"id", "X", "x", "v"}))}, scratch_);
+    EXPECT_EQ(found.status, 1) << to;
+    EXPECT_TRUE(says(found, "velocities at t = 0")) << to << found.json["verdict"];
+    EXPECT_NE(found.json["mistakes_of_code"]["answer"], "named") << found.json["mistakes_of_code"];
+  }
+}
+
+/// The motion is that of the scene whatever the material is, so u falls with the grid.
+TEST_F(JudgeBeyondSight, AStressOfAnotherMaterialIsNotGood) {
+  std::string other = bytes_of(Planted().scene_file);
+  const std::string from = "E: 1.0e+3";
+  ASSERT_NE(other.find(from), std::string::npos) << other;
+  const Planted coarse, fine(Planted().scene_file, 0.25 * Planted::error, 0.5 * Planted::spacing);
+  const Names runs{scratch_.write("coarse.csv", coarse.text({"id", "X", "x", "sigma"})),
+                   scratch_.write("fine.csv", fine.text({"id", "X", "x", "sigma"}))};
+  EXPECT_EQ(verdict_of(coarse.scene_file, runs, scratch_).status, 0);
+  const Verdict found = verdict_of(
+      scratch_.write("other.yaml", other.replace(other.find(from), from.size(), "E: 2.0e+3")), runs, scratch_);
+  EXPECT_EQ(found.status, 1);
+  EXPECT_TRUE(says(found, "the error of the stress does not fall")) << found.json["verdict"];
+}
+
+TEST_F(JudgeBeyondSight, AUnitOfTheMapThatMakesTheBodyTooLargeIsWarnedOf) {
+  Planted planted;
+  scale(planted, 1e3);
+  const auto warnings = [&](const std::string& unit) {
+    return of(planted, {"id", "X", "x", "v"}, "units: {length: " + unit + "}\n").json["warnings"].dump();
+  };
+  EXPECT_NE(warnings("cm").find("times as large as that of the scene"), std::string::npos) << warnings("cm");
+  EXPECT_EQ(warnings("mm").find("times as large"), std::string::npos) << warnings("mm");
+}
+
 TEST_F(JudgeBeyondSight, ColumnsThatNoMapNamesAreListed) {
   std::string text = Planted().text({"id", "X", "x"});
   text.replace(text.find("X,Y"), 3, "a,b");
