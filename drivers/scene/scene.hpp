@@ -167,6 +167,7 @@ struct OutputChoice {
         tractions, {.motions = loaded_motions});
   }
   bool writes_particles() const { return particles > 0 || each_step_from; }
+  bool shows_particles() const { return writes_particles() || pictures; }
 };
 
 struct Limits {

@@ -18,7 +18,7 @@ class ErrorSampler {
   /// velocity_time: to which the particles' velocities belong [s].
   ErrorSample sample(const mpm::State<Dim>& state, double t, double velocity_time);
 
-  /// |u - u_exact| of each particle at the time of the last sample [m].
+  /// |u - u_exact| of each particle at the time of the last sample [m]; none where the scene shows no particles.
   const std::vector<double>& displacement_error() const { return displacement_error_; }
   /// ExactInstant::measure of each particle's own F at that time: shear of the vortex, else J [1].
   const std::vector<double>& measure() const { return measure_; }

@@ -46,24 +46,41 @@ Snapshots<Dim>::Snapshots(const ProblemIn<Dim>& problem, OutputFolder& folder) :
 }
 
 template <int Dim>
+std::size_t Snapshots<Dim>::each_that_changes(std::size_t particles, const auto& kept) const {
+  std::size_t at = 0;
+  for (const ShownColumn& part : shown_) {
+    if (part.column == Column::reference_position || part.column == Column::volume) continue;  // the seeds have them
+    kept(part, at);
+    at += static_cast<std::size_t>(part.components) * particles;
+  }
+  return at;
+}
+
+template <int Dim>
 void Snapshots<Dim>::keep_good(const mpm::State<Dim>& s, double t) {
   good_t_ = t;
   good_particles_ = s.particles;
-  good_.clear();  // keeps its memory
-  for (const ShownColumn& part : shown_) {
-    const double* from = s.column(part.column);
-    good_.insert(good_.end(), from, from + static_cast<std::size_t>(part.components) * s.particles);
-  }
+  each_that_changes(s.particles, [&](const ShownColumn& part, std::size_t at) {
+    good_.put(at, {s.column(part.column), static_cast<std::size_t>(part.components) * s.particles});
+  });
 }
 
 template <int Dim>
 std::string Snapshots<Dim>::leave_last_good(const ExactSolutionPtr& exact) const {
   const std::size_t n = good_particles_;
-  const auto of = [&](Column which, int component) {
-    auto before = static_cast<std::size_t>(component);
-    for (auto part = shown_.begin(); part->column != which; ++part)
-      before += static_cast<std::size_t>(part->components);
-    return good_.data() + before * n;
+  const mpm::Seeds<Dim>& seeds = problem_->setup.seeds;
+  const std::vector<double> good = good_.first(each_that_changes(n, [](const ShownColumn&, std::size_t) {}));
+  std::vector<double> volume(n);
+  for (std::size_t p = 0; p < n; ++p) volume[p] = seeds.volume(p);
+  const auto of = [&](Column which, int component) -> const double* {
+    const auto c = static_cast<std::size_t>(component);
+    if (which == Column::reference_position) return seeds.X[c].data();
+    if (which == Column::volume) return volume.data();
+    const double* found = nullptr;
+    each_that_changes(n, [&](const ShownColumn& part, std::size_t at) {
+      if (part.column == which) found = good.data() + at + c * n;
+    });
+    return found;
   };
   std::vector<double> error(n), measure(n);
   std::vector<VtuArray> compared;

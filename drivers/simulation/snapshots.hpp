@@ -8,6 +8,7 @@
 #include "drivers/output/output_folder.hpp"
 #include "drivers/picture/value_pictures.hpp"
 #include "drivers/simulation/error_sampler.hpp"
+#include "drivers/simulation/kept_numbers.hpp"
 #include "drivers/simulation/snapshot_vtu.hpp"
 #include "drivers/simulation/space_drawing.hpp"
 
@@ -44,13 +45,16 @@ class Snapshots {
                        const std::vector<VtuArray>& more, double t, const std::optional<double>& velocity_t,
                        bool is_state) const;
 
+  /// kept(column, where its numbers begin among those of a state that is kept) for each that changes.
+  std::size_t each_that_changes(std::size_t particles, const auto& kept) const;
+
   const ProblemIn<Dim>* problem_;
   OutputFolder* folder_;
   std::vector<ShownColumn> shown_;  ///< first the positions, in the reference configuration and now
   std::vector<PvdEntry> entries_;
   double good_t_ = 0;
   std::size_t good_particles_ = 0;
-  std::vector<double> good_;  ///< of the columns that a snapshot shows, one after the other
+  KeptNumbers good_{Dim == 3};  ///< columns that a snapshot shows and that change, one after the other
   /// A body in one of the ways in which pictures show it: in the plane one, in space a cut and a view.
   struct Drawn {
     ParticleFrame shape;

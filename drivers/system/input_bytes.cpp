@@ -35,6 +35,12 @@ int made_unnamed() {
   return kept;
 }
 
+[[noreturn]] void refuse(const char* what) {
+  const int error = errno;
+  throw SystemError("a temporary file in '" + one_line(adapters::temporary_folder(), 200) + "' cannot be " + what +
+                    ": " + std::generic_category().message(error));
+}
+
 }  // namespace
 
 std::int64_t read_at(int file, std::uint64_t at, char* into, std::size_t most) {
@@ -73,12 +79,14 @@ void UnnamedFile::append(std::string_view bytes) { write_at(size_, bytes); }
 void UnnamedFile::write_at(std::uint64_t at, std::string_view bytes) {
   stop_if_interrupted();
   put_files_right();
-  if (!write_at_all(file_.number(), at, bytes)) {
-    const int error = errno;
-    throw SystemError("a temporary file in '" + one_line(adapters::temporary_folder(), 200) +
-                      "' cannot be written: " + std::generic_category().message(error));
-  }
+  if (!write_at_all(file_.number(), at, bytes)) refuse("written");
   size_ = std::max(size_, at + bytes.size());
+}
+
+std::size_t UnnamedFile::read(std::uint64_t at, char* into, std::size_t most) const {
+  const std::int64_t n = read_at(file_.number(), at, into, most);
+  if (n < 0) refuse("read");
+  return static_cast<std::size_t>(n);
 }
 
 InputBytes::InputBytes(const std::string& file) : file_(file) {

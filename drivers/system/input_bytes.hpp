@@ -16,11 +16,12 @@ namespace assay::drivers {
 class UnnamedFile {
  public:
   UnnamedFile();
-  [[noreturn]] void refuse() const;  ///< for the reason that errno says
   int number() const { return file_.number(); }
   /// Behind what is there. Throws SystemError, as on a full disk, and Interrupted.
   void append(std::string_view bytes);
   void write_at(std::uint64_t at, std::string_view bytes);
+  /// As many bytes as there are up to `most`. Throws SystemError, Interrupted.
+  std::size_t read(std::uint64_t at, char* into, std::size_t most) const;
   std::uint64_t size() const { return size_; }
 
  private:

@@ -13,7 +13,7 @@ namespace assay::mpm {
   template <int Dim>                                                                    \
   std::size_t advance(const Deformations<Dim>& deformations, std::size_t n, double dt); \
   template <int Dim>                                                                    \
-  void multiply_rows(const StencilRows& rows);                                          \
+  void multiply_rows(const StencilRows<Dim>& rows);                                     \
   }
 
 ASSAY_DECLARE_KERNELS(baseline)
@@ -43,7 +43,7 @@ AdvanceDeformation<ASSAY_DIMENSION> advance_deformation([[maybe_unused]] Instruc
 }
 
 template <>
-MultiplyRows multiply_rows_of<ASSAY_DIMENSION>([[maybe_unused]] Instructions instructions) {
+MultiplyRows<ASSAY_DIMENSION> multiply_rows_of<ASSAY_DIMENSION>([[maybe_unused]] Instructions instructions) {
   return ASSAY_OF(instructions, multiply_rows<ASSAY_DIMENSION>);
 }
 

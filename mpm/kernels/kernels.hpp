@@ -52,7 +52,7 @@ struct Kernels {
   /// force += M x, x of Dim components a node in packs.
   void (*multiply_mass)(const KernelState<Dim>&, const Block&, const double* x) = nullptr;
   /// Rows of M += those of the block's particles; null of a basis that reaches different numbers of nodes.
-  void (*add_mass_rows)(const KernelState<Dim>&, const Block&, const MassRows&) = nullptr;
+  void (*add_mass_rows)(const KernelState<Dim>&, const Block&, const MassRows<Dim>&) = nullptr;
 };
 
 /// In three dimensions always the first set.

@@ -7,11 +7,14 @@
 
 namespace assay::mpm {
 
-/// Rows of the matrix that are worked on together: of nodes i, i + 1, ... from a multiple of this on.
-inline constexpr std::size_t rows_at_once = 4;
+/// Rows of the matrix that are worked on together: of nodes i, i + 1, ... from a multiple of this on. In space the
+/// components of one node fill a pack.
+template <int Dim>
+inline constexpr std::size_t rows_at_once = Dim == 2 ? 4 : 1;
 
 /// Where rows of the matrix lie, of which entry k of a node's is that of its neighbour k: by the steps to it along the
 /// axes, the first fastest, each from 1 - nodes_across to nodes_across - 1.
+template <int Dim>
 struct MassRows {
   const std::uint32_t* group = nullptr;  ///< of each `rows_at_once` nodes, or `no_rows`
   const unsigned char* own = nullptr;    ///< of each node, whether it has a row
@@ -22,7 +25,8 @@ struct MassRows {
   bool holds(std::size_t i) const { return own[i] != 0; }
   /// Entry k at [k * rows_at_once].
   double* row(std::size_t i) const {
-    return values + std::size_t{group[i / rows_at_once]} * entries * rows_at_once + i % rows_at_once;
+    constexpr std::size_t n = rows_at_once<Dim>;
+    return values + std::size_t{group[i / n]} * entries * n + i % n;
   }
 };
 

@@ -62,11 +62,11 @@ MassStencil<Dim>::MassStencil(const GridGeometry<Dim>& grid, int nodes_across, c
 template <int Dim>
 void MassStencil<Dim>::make_room() {
   std::uint32_t groups = 0;
-  group_.assign((nodes_ + rows_at_once - 1) / rows_at_once, MassRows::no_rows);
+  group_.assign((nodes_ + rows_at_once<Dim> - 1) / rows_at_once<Dim>, MassRows<Dim>::no_rows);
   for (std::size_t i = 0; i < nodes_; ++i) {
-    if (own_[i] && group_[i / rows_at_once] == MassRows::no_rows) group_[i / rows_at_once] = groups++;
+    if (own_[i] && group_[i / rows_at_once<Dim>] == MassRows<Dim>::no_rows) group_[i / rows_at_once<Dim>] = groups++;
   }
-  values_.assign(groups * offsets_.size() * rows_at_once, 0.0);
+  values_.assign(groups * offsets_.size() * rows_at_once<Dim>, 0.0);
 }
 
 template <int Dim>
@@ -113,7 +113,7 @@ void MassStencil<Dim>::find_values(const GridGeometry<Dim>& grid, const Multiply
       if (y.node(i)[0] == 0 || !column_of(i, steps)) continue;
       int k = 0;
       for (std::size_t d = Dim; d-- > 0;) k = k * span + steps[d] + nodes_across_ - 1;
-      rows().row(i)[static_cast<std::size_t>(k) * rows_at_once] = y.node(i)[0];
+      rows().row(i)[static_cast<std::size_t>(k) * rows_at_once<Dim>] = y.node(i)[0];
     }
   }
 }
@@ -139,7 +139,7 @@ template <int Dim>
 typename MassStencil<Dim>::Kind MassStencil<Dim>::kind_of(std::size_t i) const {
   if (value_of_own(middle(), i) == 0) return Kind::none;
   const auto reach = static_cast<std::size_t>(offsets_.back());  // the farthest
-  if (i < reach + rows_at_once || i + reach + rows_at_once > nodes_) return Kind::at_end;
+  if (i < reach + rows_at_once<Dim> || nodes_ < i + reach + rows_at_once<Dim>) return Kind::at_end;
   const double rounding = same_rows * farthest_ * alike_[middle()];
   for (std::size_t k = 0; k < offsets_.size(); ++k) {
     if (!(std::abs(value_of_own(k, i) - alike_[k]) <= rounding)) return Kind::own;
@@ -197,7 +197,8 @@ void MassStencil<Dim>::multiply_piece(const Piece& piece, const GridField<Dim>& 
   const bool alike = piece.kind == Kind::alike;
   const double* values = alike_.data();
   if (!alike)
-    values = values_.data() + std::size_t{group_[piece.begin / rows_at_once]} * offsets_.size() * rows_at_once;
+    values =
+        values_.data() + std::size_t{group_[piece.begin / rows_at_once<Dim>]} * offsets_.size() * rows_at_once<Dim>;
   multiply_rows_({piece.begin, piece.end, offsets_, values, alike, x.data(), y.data()});
 }
 

@@ -17,7 +17,9 @@ namespace assay::mpm {
 
 /// Rows of neighbouring nodes, and what they are multiplied by. What lies around them in groups of `rows_at_once` is
 /// read, too, but not written.
+template <int Dim>
 struct StencilRows {
+  static constexpr std::size_t at_once = rows_at_once<Dim>;
   std::size_t begin = 0, end = 0;           ///< nodes
   std::span<const std::ptrdiff_t> offsets;  ///< nodes from a row's own to the one that entry k is for
   const double* values = nullptr;           ///< those of the first group; or one row of all, where they are alike
@@ -26,21 +28,20 @@ struct StencilRows {
   double* to = nullptr;
 
   static std::size_t value_at(std::size_t i, std::size_t k, std::size_t entries) {
-    return (i / rows_at_once * entries + k) * rows_at_once + i % rows_at_once;
+    return (i / at_once * entries + k) * at_once + i % at_once;
   }
   /// Entry k of node i is at [k * rows_at_once].
-  const double* row(std::size_t i) const {
-    return values + value_at(i - begin / rows_at_once * rows_at_once, 0, offsets.size());
-  }
+  const double* row(std::size_t i) const { return values + value_at(i - begin / at_once * at_once, 0, offsets.size()); }
 };
-using MultiplyRows = void (*)(const StencilRows&);
+template <int Dim>
+using MultiplyRows = void (*)(const StencilRows<Dim>&);
 
 template <int Dim>
-MultiplyRows multiply_rows_of(Instructions instructions);
+MultiplyRows<Dim> multiply_rows_of(Instructions instructions);
 template <>
-MultiplyRows multiply_rows_of<2>(Instructions instructions);
+MultiplyRows<2> multiply_rows_of<2>(Instructions instructions);
 template <>
-MultiplyRows multiply_rows_of<3>(Instructions instructions);
+MultiplyRows<3> multiply_rows_of<3>(Instructions instructions);
 
 template <int Dim>
 class MassStencil {
@@ -49,7 +50,7 @@ class MassStencil {
   using Multiply = std::function<void(const GridField<Dim>& x, GridField<Dim>& y)>;
 
   /// Adds the particles' parts to rows.
-  using AddRows = std::function<void(const MassRows& rows)>;
+  using AddRows = std::function<void(const MassRows<Dim>& rows)>;
 
   /// The matrix that `multiply` applies, where a particle reaches over so many nodes in each direction. In space
   /// `add_rows` makes those of its rows that differ from one inside the body; in the plane all are found by `multiply`.
@@ -86,10 +87,10 @@ class MassStencil {
     Kind kind = Kind::none;
   };
   std::size_t middle() const { return offsets_.size() / 2; }
-  MassRows rows() { return {group_.data(), own_.data(), values_.data(), offsets_.size()}; }
+  MassRows<Dim> rows() { return {group_.data(), own_.data(), values_.data(), offsets_.size()}; }
   double value_of_own(std::size_t k, std::size_t i) const {
-    const std::size_t row = std::size_t{group_[i / rows_at_once]} * offsets_.size() * rows_at_once + i % rows_at_once;
-    return values_[row + k * rows_at_once];
+    constexpr std::size_t n = rows_at_once<Dim>;
+    return values_[std::size_t{group_[i / n]} * offsets_.size() * n + i % n + k * n];
   }
   double value(std::size_t k, std::size_t i) const {  ///< of any node
     if (Dim == 2) return value_of_own(k, i);
@@ -112,12 +113,12 @@ class MassStencil {
   int farthest_ = 1;                     ///< node from where x = 0 [h]
   std::vector<std::ptrdiff_t> offsets_;  ///< of the neighbours of a node
   std::vector<double> values_;           ///< M between nodes that have rows of their own and these [kg]
-  std::vector<std::uint32_t> group_;     ///< of the table, for each `rows_at_once` nodes; MassRows::no_rows: none
+  std::vector<std::uint32_t> group_;     ///< of the table, for each `rows_at_once` nodes; MassRows<Dim>::no_rows: none
   std::vector<unsigned char> own_;       ///< of each node, whether it has a row there
   std::vector<Kind> kinds_;              ///< of each node
   std::vector<double> alike_;            ///< the row of a node like many others [kg]
   std::vector<Piece> pieces_;
-  MultiplyRows multiply_rows_;
+  MultiplyRows<Dim> multiply_rows_;
 };
 
 }  // namespace assay::mpm

@@ -81,7 +81,7 @@ void MassStencil<Dim>::find_rows(const GridGeometry<Dim>& grid, const Multiply& 
   const auto reach = static_cast<std::size_t>(offsets_.back());
   for (std::size_t i = 0; i < nodes_; ++i) {
     if (!has_mass[i]) continue;
-    const bool at_end = i < reach + rows_at_once || i + reach + rows_at_once > nodes_;
+    const bool at_end = i < reach + rows_at_once<Dim> || nodes_ < i + reach + rows_at_once<Dim>;
     kinds_[i] = at_end ? Kind::at_end : inside[i] ? Kind::alike : Kind::own;
     own_[i] = kinds_[i] != Kind::alike || i == middle_node ? 1 : 0;
   }

@@ -45,14 +45,14 @@ class MassMatrix {
  public:
   using Field = GridField<Dim>;
 
-  /// The first two of the vectors are left to the caller.
+  /// The third and fourth of the vectors are left to the caller.
   MassMatrix(State<Dim>& s, SolverFields<Dim>& fields)
       : s_(&s),
         images_(&s.template own<Images<Dim>>()),
         held_(&s.template own<Held>()),
         multiply_block_(kernels_for(s).multiply_mass),
-        residual_(fields.vectors[2]),
-        image_(fields.vectors[3]),
+        residual_(fields.vectors[0]),
+        image_(fields.vectors[1]),
         direction_(last_of(fields, 4)),
         scaled_(last_of(fields, 5)),
         divided_(last_of(fields, 6)),
@@ -63,7 +63,7 @@ class MassMatrix {
   void assemble() {
     const int across = mass_nodes_across<Dim>(s_->method);
     if (across == 0 || stencil_) return;
-    const auto add_rows = [&](const MassRows& rows) {
+    const auto add_rows = [&](const MassRows<Dim>& rows) {
       kernels_for(*s_).add_mass_rows(*s_, Block{0, s_->particles, nullptr, nullptr}, rows);
     };
     stencil_.emplace(

@@ -8,8 +8,13 @@ namespace assay::mpm {
 
 namespace {
 
+/// Whether v is M_L^-1 (m v) and a alone is inverted: v is then divided where it is written, and needs no field.
+bool divides_velocity(const Method& method) { return method.mass == Mass::series && !method.has_stages(); }
+
 /// Grid fields of Dim components that the inversion takes.
-std::size_t solver_fields(const Method& method) { return method.mass == Mass::consistent ? 8 : 4; }
+std::size_t solver_fields(const Method& method) {
+  return method.mass == Mass::consistent ? 8 : divides_velocity(method) ? 3 : 4;
+}
 
 /// Momentum of every node.
 template <int Dim>
@@ -33,39 +38,38 @@ void book_reaction(State<Dim>& s, const Held& held, const Reaction& share, doubl
   });
 }
 
-/// v and a as row sums give them; of FMPM v is that after the kick.
+/// a as row sums give it, and v where it is kept: of XPIC, and of FMPM after the kick.
 template <int Dim>
-void divide_by_sums(const State<Dim>& s, const MassMatrix<Dim>& matrix, double kick, GridField<Dim>& v,
+void divide_by_sums(const State<Dim>& s, const MassMatrix<Dim>& matrix, double kick, GridField<Dim>* v,
                     GridField<Dim>& a) {
   matrix.for_nodes([&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const double inverse = matrix.inverse_sum(i);
       for (std::size_t d = 0; d < Dim; ++d) {
-        v.node(i)[d] = inverse * (s.inertia.node(i)[1 + d] + kick * s.force.node(i)[d]);
+        if (v) v->node(i)[d] = inverse * (s.inertia.node(i)[1 + d] + kick * s.force.node(i)[d]);
         a.node(i)[d] = inverse * s.force.node(i)[d];
       }
     }
   });
 }
 
-/// False where M could not be inverted.
+/// v: null where it is divided later. False where M could not be inverted.
 template <int Dim>
-bool find_velocity(State<Dim>& s, const Method& method, double kick, MassMatrix<Dim>& matrix, GridField<Dim>& v,
+bool find_velocity(State<Dim>& s, const Method& method, double kick, MassMatrix<Dim>& matrix, GridField<Dim>* v,
                    GridField<Dim>& a) {
-  const bool fmpm = method.transfer == Transfer::fmpm, consistent = method.mass == Mass::consistent;
-  if (!consistent) {
-    divide_by_sums(s, matrix, fmpm ? kick : 0, v, a);
-    matrix.add_terms(method.mass == Mass::series ? a : v, method.terms);  // v: of XPIC and FMPM
+  if (method.mass != Mass::consistent) {
+    divide_by_sums(s, matrix, method.transfer == Transfer::fmpm ? kick : 0, v, a);
+    matrix.add_terms(v ? *v : a, method.terms);
     return true;
   }
   matrix.find_edges();
-  load_momentum(s, v);
+  load_momentum(s, *v);
   a.copy(s.force, s.live.runs());
   bool solved = true;
   if (method.is_affine()) {
-    matrix.divide(v);
+    matrix.divide(*v);
   } else {
-    solved = matrix.solve(v);
+    solved = matrix.solve(*v);
   }
   return matrix.solve(a) && solved;
 }
@@ -76,8 +80,9 @@ struct Inversion {
   Inversion(State<Dim>& state, const Method& m)
       : s(&state), method(m), held(&state.template own<Held>()), fields(fields_of(state, m)), matrix(state, *fields) {}
 
-  GridField<Dim>& v() { return fields->vectors[0]; }
-  GridField<Dim>& a() { return fields->vectors[1]; }
+  GridField<Dim>& a() { return fields->vectors[2]; }
+  /// Null where the velocity is divided.
+  GridField<Dim>* v() { return divides_velocity(method) ? nullptr : &fields->vectors[3]; }
 
   void end(bool solved, bool kicks, double kick) {
     if (kicks) book_reaction(*s, *held, reaction_of(method), kick);
@@ -103,13 +108,14 @@ Kernel mass_matrix_kernel(State<Dim>& s, const Method& method) {
     MassMatrix<Dim>& matrix = inversion->matrix;
     matrix.assemble();
     matrix.invert_sums();
-    GridField<Dim>&v = inversion->v(), &a = inversion->a();
+    GridField<Dim>*v = inversion->v(), &a = inversion->a();
     const bool solved = find_velocity(s, method, now.kick, matrix, v, a);
     const double kick = method.transfer == Transfer::fmpm ? 0 : now.kick;
     matrix.for_nodes([&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         for (std::size_t d = 0; d < Dim; ++d) {
-          s.motion.node(i)[d] = v.node(i)[d] + kick * a.node(i)[d];
+          const double before = v ? v->node(i)[d] : matrix.inverse_sum(i) * s.inertia.node(i)[1 + d];
+          s.motion.node(i)[d] = before + kick * a.node(i)[d];
           s.motion.node(i)[Dim + d] = a.node(i)[d];
         }
       }
@@ -149,7 +155,7 @@ template <int Dim>
 Kernel kick_kernel(State<Dim>& s, const Method& method) {
   return [&s, method, inversion = std::make_shared<Inversion<Dim>>(s, method)](const Instant& now) {
     MassMatrix<Dim>& matrix = inversion->matrix;
-    GridField<Dim>&v = inversion->v(), &a = inversion->a();
+    GridField<Dim>&v = *inversion->v(), &a = inversion->a();
     const bool kicks = now.kick != 0;  // the first stage of a step does not
     bool solved = true;
     if (!kicks) {

@@ -8,7 +8,7 @@
 namespace assay::mpm::ASSAY_INSTRUCTIONS {
 
 template <int Dim>
-void multiply_rows(const StencilRows& rows);
+void multiply_rows(const StencilRows<Dim>& rows);
 
 #if ASSAY_DIMENSION == 2
 
@@ -23,7 +23,7 @@ constexpr std::size_t packs_at_once = 2;
 
 /// One row of all.
 template <std::size_t Packs>
-ASSAY_INLINE void multiply_alike(const StencilRows& rows, std::size_t i, double* to) {
+ASSAY_INLINE void multiply_alike(const StencilRows<2>& rows, std::size_t i, double* to) {
   Pack<8> sum[Packs] = {};
   for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
     const double* from = rows.from + 2 * (static_cast<std::ptrdiff_t>(i) + rows.offsets[k]);
@@ -37,12 +37,12 @@ ASSAY_INLINE void multiply_alike(const StencilRows& rows, std::size_t i, double*
 }
 
 /// A row each.
-ASSAY_INLINE void multiply_own(const StencilRows& rows, std::size_t i, double* to) {
+ASSAY_INLINE void multiply_own(const StencilRows<2>& rows, std::size_t i, double* to) {
   const double* values = rows.row(i);
   Pack<8> sum{}, x, m;
   for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
     load<8>(x, rows.from + 2 * (static_cast<std::ptrdiff_t>(i) + rows.offsets[k]));
-    load_twice(m, values + rows_at_once * k);
+    load_twice(m, values + rows_at_once<2> * k);
     sum += m * x;
   }
   store<8>(to, sum);
@@ -51,14 +51,14 @@ ASSAY_INLINE void multiply_own(const StencilRows& rows, std::size_t i, double* t
 }  // namespace
 
 template <>
-void multiply_rows<2>(const StencilRows& rows) {
-  static_assert(rows_at_once == 4);
-  constexpr std::size_t many = rows_at_once * packs_at_once;
+void multiply_rows<2>(const StencilRows<2>& rows) {
+  static_assert(rows_at_once<2> == 4);
+  constexpr std::size_t many = rows_at_once<2> * packs_at_once;
   std::size_t i = rows.begin;
   for (; rows.alike && i + many <= rows.end; i += many) multiply_alike<packs_at_once>(rows, i, rows.to + 2 * i);
   while (i < rows.end) {
-    const std::size_t group = i / rows_at_once * rows_at_once, next = std::min(rows.end, group + rows_at_once);
-    double of_group[2 * rows_at_once];
+    const std::size_t group = i / rows_at_once<2> * rows_at_once<2>, next = std::min(rows.end, group + rows_at_once<2>);
+    double of_group[2 * rows_at_once<2>];
     if (rows.alike) {
       multiply_alike<1>(rows, group, of_group);
     } else {
@@ -71,20 +71,52 @@ void multiply_rows<2>(const StencilRows& rows) {
 
 #else
 
-template <>
-void multiply_rows<3>(const StencilRows& rows) {
+namespace {
+
+/// Nodes whose sums stay in registers.
+#ifdef __AVX__
+constexpr std::size_t nodes_at_once = 8;
+#else
+constexpr std::size_t nodes_at_once = 4;
+#endif
+
+/// One row of all.
+template <std::size_t Nodes>
+ASSAY_INLINE void multiply_alike(const StencilRows<3>& rows, std::size_t i) {
   constexpr std::size_t S = GridField<3>::stride;
-  const std::size_t entries = rows.offsets.size();
-  for (std::size_t i = rows.begin; i < rows.end; ++i) {
-    double sum[3] = {};
-    const double* own = rows.alike ? nullptr : rows.row(i);
-    for (std::size_t k = 0; k < entries; ++k) {
-      const auto at = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + rows.offsets[k]);
-      const double m = rows.alike ? rows.values[k] : own[k * rows_at_once];
-      for (std::size_t d = 0; d < 3; ++d) sum[d] += m * rows.from[S * at + d];
+  Pack<4> sum[Nodes] = {};
+  for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
+    const double* from =
+        rows.from + static_cast<std::ptrdiff_t>(S) * (static_cast<std::ptrdiff_t>(i) + rows.offsets[k]);
+    for (std::size_t n = 0; n < Nodes; ++n) {
+      Pack<4> x;
+      load<4>(x, from + S * n);
+      sum[n] += rows.values[k] * x;
     }
-    std::copy_n(sum, 3, rows.to + S * i);
   }
+  for (std::size_t n = 0; n < Nodes; ++n) store<4>(rows.to + S * (i + n), sum[n]);
+}
+
+ASSAY_INLINE void multiply_own(const StencilRows<3>& rows, std::size_t i) {
+  constexpr std::size_t S = GridField<3>::stride;
+  const double* values = rows.row(i);
+  Pack<4> sum{}, x;
+  for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
+    load<4>(x, rows.from + static_cast<std::ptrdiff_t>(S) * (static_cast<std::ptrdiff_t>(i) + rows.offsets[k]));
+    sum += values[k] * x;
+  }
+  store<4>(rows.to + S * i, sum);
+}
+
+}  // namespace
+
+template <>
+void multiply_rows<3>(const StencilRows<3>& rows) {
+  static_assert(rows_at_once<3> == 1);
+  std::size_t i = rows.begin;
+  for (; rows.alike && i + nodes_at_once <= rows.end; i += nodes_at_once) multiply_alike<nodes_at_once>(rows, i);
+  for (; rows.alike && i < rows.end; ++i) multiply_alike<1>(rows, i);
+  for (; i < rows.end; ++i) multiply_own(rows, i);
 }
 
 #endif

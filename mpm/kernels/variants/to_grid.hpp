@@ -179,7 +179,7 @@ std::size_t momentum_and_force(KernelState<Dim>& s, const Block& block, const In
 
 /// Of each particle m phi_ip phi_jp for each pair of its nodes i, j of which i has a row.
 template <class B, int Dim>
-void add_mass_rows(const KernelState<Dim>& s, const Block& block, const MassRows& rows) {
+void add_mass_rows(const KernelState<Dim>& s, const Block& block, const MassRows<Dim>& rows) {
   constexpr std::size_t W = B::nodes_across, span = 2 * W - 1, planes = Dim == 2 ? 1 : W;
   const B& basis = basis_of<B>(s);
   const auto steps = basis.steps();
@@ -202,7 +202,8 @@ void add_mass_rows(const KernelState<Dim>& s, const Block& block, const MassRows
             const double of_other = of_node * across(oz, oy);
             const std::size_t first =
                 (W - 1 - x) + span * ((oy + W - 1 - y) + (Dim == 3 ? span * (oz + W - 1 - z) : 0));
-            for (std::size_t ox = 0; ox < W; ++ox) row[(first + ox) * rows_at_once] += of_other * nodes.value(k, 0, ox);
+            for (std::size_t ox = 0; ox < W; ++ox)
+              row[(first + ox) * rows_at_once<Dim>] += of_other * nodes.value(k, 0, ox);
           }
         }
       }

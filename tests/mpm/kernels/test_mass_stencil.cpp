@@ -27,7 +27,7 @@ double difference(Setup<Dim> setup, int threads) {
     y.zero();
     kernels_for(s).multiply_mass(s, Block{0, s.particles, nullptr, y.data()}, x.data());
   };
-  const auto add_rows = [&](const MassRows& rows) {
+  const auto add_rows = [&](const MassRows<Dim>& rows) {
     kernels_for(s).add_mass_rows(s, Block{0, s.particles, nullptr, nullptr}, rows);
   };
   const MassStencil<Dim> stencil(s.setup.grid, mass_nodes_across<Dim>(s.method), by_particles, add_rows);
