@@ -17,18 +17,31 @@ constexpr double rounding = 1e-12;        ///< [m], of E up to 1e6
 constexpr double stiff_rounding = 1e-11;  ///< of E = 1e9: what is left grows with the number of steps
 const std::string table1 = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/table1_traction.yaml";
 const std::string stretch = std::string(ASSAY_SOURCE_DIR) + "/configs/motions/rotating_stretch.yaml";
+const std::string cube = std::string(ASSAY_SOURCE_DIR) + "/configs/space/homogeneous.yaml";
+const std::string stretch_in_space = std::string(ASSAY_SOURCE_DIR) + "/configs/space/rotating_stretch.yaml";
 
-Result result_of(const std::string& scene, std::vector<std::string> sets) {
-  sets.insert(sets.end(), {"output.particles=0", "output.pictures=false", "output.report=false"});
+/// Under the tractions of a material that is `stiffer` times as stiff.
+template <int Dim>
+Result result_in(const Scene& scene, double stiffer) {
+  ProblemIn<Dim> problem = assemble<Dim>(scene, 1);
+  Scene other = problem.scene;
+  other.material.parameters["E"] *= stiffer;
+  std::string library;
+  const auto material = stiffer == 1 ? problem.material : material_of(other, library);
+  const auto exact = exact_solution_of(problem.scene, material, problem.scene.time.end);
   const ScratchFolder scratch;
-  Problem problem = assemble(read_scene(scene, sets), 1);
-  const auto exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
   OutputFolder folder(scratch / "out");
-  Snapshots snapshots(problem, folder);
+  Snapshots<Dim> snapshots(problem, folder);
   Progress progress("", true);
   Result result;
   simulate(problem, exact, snapshots, progress, result);
   return result;
+}
+
+Result result_of(const std::string& path, std::vector<std::string> sets, double stiffer = 1) {
+  sets.insert(sets.end(), {"output.particles=0", "output.pictures=false", "output.report=false"});
+  const Scene scene = read_scene(path, sets);
+  return in_dimension(scene, [&]<int Dim>(std::integral_constant<int, Dim>) { return result_in<Dim>(scene, stiffer); });
 }
 
 std::string number(double x) { return std::to_string(x); }
@@ -77,6 +90,34 @@ TEST_P(Traction, HoldsToRounding) {
 
 TEST_P(Traction, HoldsToRoundingWhereItIsStiff) { holds_to_rounding(GetParam(), 1e9, {2, 4}, stiff_rounding); }
 
+// The cube of configs/space: sheared in all planes, and squeezed with shear.
+Result cube_of(const Case& which, double E, int cells, const std::string& final, std::vector<std::string> more = {}) {
+  std::vector<std::string> sets = which.method;
+  sets.insert(sets.end(), {"material.parameters.E=" + number(E), "grid.spacing=" + number(1.0 / cells)});
+  if (!final.empty()) sets.push_back("motion.final=" + final);
+  sets.insert(sets.end(), more.begin(), more.end());
+  return result_of(cube, sets);
+}
+
+const std::string squeezed = "[[0.7, 0.1, 0], [0, 0.8, -0.1], [0.1, 0.05, 0.9]]";
+
+void holds_to_rounding_in_space(const Case& which, double E, const std::vector<int>& cells,
+                                const std::vector<std::string>& to) {
+  for (const std::string& final : to) {
+    if (final == squeezed && which.softest_stretch > 0.7) continue;
+    for (const int n : cells) {
+      const Result result = cube_of(which, E, n, final);
+      EXPECT_EQ(result.outcome, "completed") << "E = " << E << ", " << n << " cells, " << final;
+      EXPECT_LE(result.error.l2_max.value_or(INFINITY), rounding) << "E = " << E << ", " << n << " cells, " << final;
+    }
+  }
+}
+
+TEST_P(Traction, HoldsToRoundingInSpace) {
+  holds_to_rounding_in_space(GetParam(), 1e3, {2, 4, 8}, {"", squeezed});
+  holds_to_rounding_in_space(GetParam(), 1e6, {2, 4}, {"", squeezed});
+}
+
 class LongTraction : public testing::TestWithParam<Case> {};
 
 // Stiff bodies on the finest grids take most of the steps: they are stretched once, the farthest.
@@ -86,6 +127,10 @@ TEST_P(LongTraction, HoldsToRoundingOnFineGrids) {
   holds_to_rounding(GetParam(), 1e6, {32}, rounding, {4});
   holds_to_rounding(GetParam(), 1e9, {8}, stiff_rounding);
   holds_to_rounding(GetParam(), 1e9, {16}, stiff_rounding, {4});
+}
+
+TEST_P(LongTraction, HoldsToRoundingInSpaceOnFineGrids) {
+  holds_to_rounding_in_space(GetParam(), 1e6, {8}, {"", squeezed});
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Traction, testing::ValuesIn(cases),
@@ -100,6 +145,15 @@ TEST(TractionMotions, CompressionShearAndBiaxial) {
                             "[[1.5, 0.3, 0], [-0.2, 1.4, 0], [0, 0, 1]]", "[[1.6, 0, 0], [0, 0.8, 0], [0, 0, 1]]"}) {
     const Result result = result_of(table1, {"motion.final=" + std::string(final)});
     EXPECT_LE(result.error.l2_max.value_or(INFINITY), rounding) << final;
+  }
+}
+
+// In space the undeformed faces leave an error, too, and so do tractions at particles.
+TEST(TractionAlgorithms, OtherThanTheDefaultErrInSpace) {
+  for (const int n : {2, 4}) {
+    EXPECT_GT(cube_of(cases[0], 1e6, n, "", {"traction.algorithm=undeformed_edges"}).error.l2_max.value_or(0), 1e-3)
+        << n;
+    EXPECT_GT(cube_of(cases[0], 1e6, n, "", {"traction.algorithm=particles"}).error.l2_max.value_or(0), 1e-3) << n;
   }
 }
 
@@ -148,20 +202,11 @@ TEST(TractionForms, TheDefaultIsTheStableOne) {
 
 // Negative control: tractions of a material that is 1 % stiffer, which is a wrong sigma_hat as well.
 TEST(TractionNegativeControl, AnErrorOfOnePercentIsCaught) {
-  for (const std::string algorithm : {"edges", "virtual_stress"}) {
-    Problem problem = assemble(read_scene(table1, {"traction.algorithm=" + algorithm, "output.particles=0"}), 1);
-    Scene stiffer = problem.scene;
-    stiffer.material.parameters["E"] *= 1.01;
-    std::string library;
-    const auto other = material_of(stiffer, library);
-    const auto wrong = exact_solution_of(stiffer, other, problem.scene.time.end);
-    const ScratchFolder scratch;
-    OutputFolder folder(scratch / "out");
-    Snapshots snapshots(problem, folder);
-    Progress progress("", true);
-    Result result;
-    simulate(problem, wrong, snapshots, progress, result);
-    EXPECT_GT(result.error.l2_max.value_or(INFINITY), 1e-3) << algorithm;
+  for (const std::string& scene : {table1, cube}) {
+    for (const std::string algorithm : {"edges", "virtual_stress"}) {
+      const Result result = result_of(scene, {"traction.algorithm=" + algorithm}, 1.01);
+      EXPECT_GT(result.error.l2_max.value_or(INFINITY), 1e-3) << scene << ": " << algorithm;
+    }
   }
 }
 
@@ -176,23 +221,38 @@ TEST(TractionAccounts, Balance) {
   }
 }
 
-// Body force, tractions and the method's time step together.
+// Body force, tractions and the method's time step together: the largest errors of these steps, each half the one
+// before.
+std::vector<double> errors_in_time(const std::string& scene, const std::string& rotate, double h,
+                                   const std::vector<double>& steps) {
+  std::vector<double> errors;
+  for (const double dt : steps) {
+    const Result result =
+        result_of(scene, {"motion.rotate=" + rotate, "grid.spacing=" + number(h), "time.step=" + number(dt)});
+    errors.push_back(result.error.l2_max.value_or(INFINITY));
+  }
+  for (std::size_t k = 0; k + 1 < errors.size(); ++k) {
+    EXPECT_NEAR(std::log2(errors[k] / errors[k + 1]), 2, 0.05) << scene << ": " << rotate << " h = " << h;
+  }
+  return errors;
+}
+
 TEST(RotatingStretchRun, IsOfSecondOrderInTimeWhateverTheGrid) {
   for (const std::string rotate : {"simultaneous", "after"}) {
-    std::vector<double> finest;
-    for (const double h : {0.25, 0.125}) {
-      std::vector<double> errors;
-      for (const double dt : {0.01, 0.005, 0.0025, 0.00125}) {
-        const Result result =
-            result_of(stretch, {"motion.rotate=" + rotate, "grid.spacing=" + number(h), "time.step=" + number(dt)});
-        errors.push_back(result.error.l2_max.value_or(INFINITY));
-      }
-      for (std::size_t k = 0; k + 1 < errors.size(); ++k) {
-        EXPECT_NEAR(std::log2(errors[k] / errors[k + 1]), 2, 0.05) << rotate << " h = " << h;
-      }
-      finest.push_back(errors.back());
-    }
-    EXPECT_LT(std::max(finest[0], finest[1]) / std::min(finest[0], finest[1]), 1.5) << rotate;
+    const std::vector<double> steps{0.01, 0.005, 0.0025, 0.00125};
+    const double coarse = errors_in_time(stretch, rotate, 0.25, steps).back();
+    const double fine = errors_in_time(stretch, rotate, 0.125, steps).back();
+    EXPECT_LT(std::max(coarse, fine) / std::min(coarse, fine), 1.5) << rotate;
+  }
+}
+
+// About (1, 2, 3), on cells of a half, a quarter and an eighth.
+TEST(RotatingStretchRun, InSpaceToo) {
+  for (const std::string rotate : {"simultaneous", "after"}) {
+    const double coarse = errors_in_time(stretch_in_space, rotate, 0.5, {0.01, 0.005, 0.0025})[1];
+    const double middle = errors_in_time(stretch_in_space, rotate, 0.25, {0.01, 0.005, 0.0025})[1];
+    const double fine = errors_in_time(stretch_in_space, rotate, 0.125, {0.005}).back();
+    EXPECT_LT(std::max({coarse, middle, fine}) / std::min({coarse, middle, fine}), 1.1) << rotate;
   }
 }
 
