@@ -77,6 +77,6 @@ endforeach()
 set_tests_properties(study/quick study/traction PROPERTIES LABELS long) # half a minute each
 set_tests_properties(study/offsets_is_valid study/hard_is_valid PROPERTIES LABELS long) # 1,200 cases; histories
 if(ASSAY_SANITIZE)
-  set_tests_properties(study/hard_is_valid study/models_is_valid study/offsets_is_valid
+  set_tests_properties(study/hard_is_valid study/hard_space_is_valid study/models_is_valid study/offsets_is_valid
     study/remedies_is_valid PROPERTIES LABELS long)
 endif()

@@ -122,8 +122,9 @@ std::string advice_after_death(const ProblemIn<Dim>& problem, const std::string&
                                           " cells across; on a coarser grid it makes runs unstable"
                                     : "";
   const std::string model = problem.library.empty() ? "" : "assay check of the model, if it has not passed yet; ";
-  return few + (few.empty() ? "" : "; ") + model + "total B-splines (" + changes +
-         ") complete every hard case that was measured" + locking;
+  const std::string measured =
+      Dim == 3 ? "most hard cases that were measured in space" : "every hard case that was measured";
+  return few + (few.empty() ? "" : "; ") + model + "total B-splines (" + changes + ") complete " + measured + locking;
 }
 
 template std::array<double, 2> sides_of_body<2>(const ProblemIn<2>&);

@@ -227,6 +227,13 @@ Sets incompressible(const std::string& spacing, const std::string& nu, const std
           "method={basis: cpdi, courant: 0.4}"};
 }
 
+// A torus in space shears so much that no method completes it.
+TEST(Advice, PromisesInSpaceWhatWasMeasuredThere) {
+  const Scene scene = read_scene(ASSAY_SOURCE_DIR "/configs/space/contrast_ugimp.yaml", {});
+  const std::string advice = advice_after_death(assemble<3>(scene, 1), "");
+  EXPECT_NE(advice.find(") complete most hard cases that were measured in space"), std::string::npos) << advice;
+}
+
 /// On fine grids alone: on coarser ones it kills.
 TEST(Advice, NamesAveragedVolumesWhereTheyHelp) {
   const auto advice = [](const Sets& sets) {
