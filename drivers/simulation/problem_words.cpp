@@ -5,6 +5,7 @@
 #include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/vortex3d.hpp"
 #include "mpm/basis/corners.hpp"
+#include "mpm/mass/surface_rows.hpp"
 #include "mpm/patch/methods.hpp"
 
 namespace assay::drivers {
@@ -73,6 +74,8 @@ double ProblemIn<Dim>::estimated_bytes() const {
   for (const auto& use : mpm::columns_of(mpm::compose(setup), setup)) {
     bytes += static_cast<double>(use.bytes) * static_cast<double>(setup.seeds.size());
   }
+  // Which nodes have rows is known from the seeds.
+  bytes -= static_cast<double>((setup.grid.nodes() - mpm::nodes_with_mass_rows(setup)) * mpm::mass_row_bytes(setup));
   const auto stepped = static_cast<double>(setup.seeds.size()), held = static_cast<double>(setup.seeds.held.size());
   constexpr double seed = Dim * sizeof(double), ring_point = 2 * sizeof(double) + sizeof(std::uint32_t);
   bytes += seed * (stepped + held);
