@@ -23,6 +23,7 @@ struct CheckOptions {
   bool quick = false;
   Verbosity verbosity = Verbosity::normal;
   bool methods = false;                              ///< the patch tests of the particle method, in place of a material
+  int dimension = 2;                                 ///< in which the methods are tested: 2 or 3
   std::optional<double> strain = {}, pressure = {};  ///< of the battery's histories [1], at rest [Pa]
   std::optional<double> step = {};                   ///< the longest usual step [s]
   std::string markdown = {};                         ///< file of the methods' table; "-": standard output

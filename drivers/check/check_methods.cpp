@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `assay check --methods`: the patch tests of every particle method that can be composed, as text, JSON and JUnit.
+// `assay check --methods`: the patch tests of every particle method that can be composed, in the plane or in space, as
+// text, JSON and JUnit.
 #include "drivers/check/methods_report.hpp"
 
 #include <algorithm>
@@ -80,7 +81,8 @@ std::string reasons(const CheckedMethods& checked) {
 /// "methods: pass; 197 methods, 2380 tests passed, 0 failed, 969 not promised"
 std::string verdict_of(const CheckedMethods& checked) {
   const auto& all = checked.methods;
-  return "methods: " + std::string(checked.passes() ? "pass" : "FAIL") + "; " + std::to_string(all.size()) +
+  return std::string(checked.dimension == 3 ? "methods in three dimensions: " : "methods: ") +
+         (checked.passes() ? "pass" : "FAIL") + "; " + std::to_string(all.size()) +
          (all.size() == 1 ? " method, " : " methods, ") + tests_passed(tests_of(all, Verdict::pass)) + ", " +
          std::to_string(tests_of(all, Verdict::fail)) + " failed, " +
          std::to_string(tests_of(all, Verdict::not_applicable)) + " not promised\n";
@@ -142,6 +144,22 @@ std::vector<mpm::Method> chosen_methods(const std::string& name) {
                    unknown("method '" + one_line(name, 60) + "'", name, names) + "; --methods alone prints them all");
 }
 
+template <int Dim>
+std::vector<mpm::MethodReport> reports_of(const std::vector<mpm::Method>& methods, const CheckOptions& options) {
+  const auto material = std::make_shared<const Material>(adapters::builtin_table("neo_hookean"),
+                                                         std::map<std::string, double>{{"E", 1e3}, {"nu", 0.3}});
+  const mpm::Bench<Dim> bench = mpm::bench_of<Dim>(material, options.quick);
+  std::vector<mpm::MethodReport> reports;
+  Progress progress("check", options.verbosity == Verbosity::quiet);
+  for (const mpm::Method& method : methods) {
+    stop_if_interrupted();
+    progress.update(static_cast<double>(reports.size()) / static_cast<double>(methods.size()), name_of(method));
+    reports.push_back(mpm::run_patch_tests(method, bench));
+  }
+  progress.finish();
+  return reports;
+}
+
 }  // namespace
 
 bool CheckedMethods::passes() const {
@@ -163,6 +181,7 @@ std::string methods_text(const CheckedMethods& checked, Verbosity verbosity) {
 
 std::string methods_json(const CheckedMethods& checked) {
   Json out;
+  out["dimension"] = checked.dimension;
   out["methods"] = Json::array();
   for (const auto& report : checked.methods) out["methods"].push_back(name_of(report.method));
   out["verdict"] = checked.passes() ? "pass" : "fail";
@@ -175,7 +194,7 @@ std::string methods_json(const CheckedMethods& checked) {
 
 std::string methods_junit(const CheckedMethods& checked, const std::string& name) {
   CheckedMaterial all;
-  all.name = "methods";
+  all.name = checked.dimension == 3 ? "methods_3d" : "methods";
   all.wall_s = checked.wall_s;
   for (const auto& report : checked.methods) {
     for (TestResult test : report.tests) {
@@ -190,17 +209,9 @@ int check_methods(const CheckOptions& options) {
   watch_interrupts();
   const Stopwatch watch;
   CheckedMethods checked;
-  const auto material = std::make_shared<const Material>(adapters::builtin_table("neo_hookean"),
-                                                         std::map<std::string, double>{{"E", 1e3}, {"nu", 0.3}});
-  const mpm::Bench bench = mpm::bench_of(material, options.quick);
+  checked.dimension = options.dimension;
   const std::vector<mpm::Method> methods = chosen_methods(options.material);
-  Progress progress("check", options.verbosity == Verbosity::quiet);
-  for (const mpm::Method& method : methods) {
-    stop_if_interrupted();
-    progress.update(static_cast<double>(checked.methods.size()) / static_cast<double>(methods.size()), name_of(method));
-    checked.methods.push_back(mpm::run_patch_tests(method, bench));
-  }
-  progress.finish();
+  checked.methods = options.dimension == 3 ? reports_of<3>(methods, options) : reports_of<2>(methods, options);
   checked.wall_s = watch.seconds();
   stop_if_interrupted();
   tell_check(options, methods_text(checked, options.verbosity), methods_json(checked),

@@ -13,6 +13,7 @@ namespace assay::drivers {
 struct CheckedMethods {
   std::vector<mpm::MethodReport> methods;
   double wall_s = 0;
+  int dimension = 2;
   bool passes() const;
 };
 
@@ -20,11 +21,11 @@ struct CheckedMethods {
 /// For one method, and with Verbosity::verbose, the rows of all tests; with quiet the verdict alone.
 std::string methods_text(const CheckedMethods& checked, Verbosity verbosity);
 
-/// {methods, verdict, tests: [{method, basis, formulation, transfer, update, mass, id, verdict, measure, threshold,
-/// order, cause, sentence}]}; figures that were not found, or are infinite, are null.
+/// {dimension, methods, verdict, tests: [{method, basis, formulation, transfer, update, mass, id, verdict, measure,
+/// threshold, order, cause, sentence}]}; figures that were not found, or are infinite, are null.
 std::string methods_json(const CheckedMethods& checked);
 
-/// One test suite; a test case is named "cpdi/flip/usl translation".
+/// One test suite, in space "assay check methods_3d"; a test case is named "cpdi/flip/usl translation".
 std::string methods_junit(const CheckedMethods& checked, const std::string& name = {});
 
 /// The tests that all methods pass by name, then one row for methods that agree in all others and one column for tests

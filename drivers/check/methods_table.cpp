@@ -130,7 +130,9 @@ std::string methods_markdown(const CheckedMethods& checked) {
   const mpm::MethodReport& first = checked.methods[0];
   const std::vector<TestGroup> groups = groups_of(rows, first.tests.size());
   const std::size_t count = checked.methods.size();
-  std::string page = (count == 1 ? "The method passes " : "All " + std::to_string(count) + " methods pass ") +
+  const std::string where = checked.dimension == 3 ? "In three dimensions, " : "";
+  const std::string all = where.empty() ? "All " : "all ", one = where.empty() ? "The " : "the ";
+  std::string page = where + (count == 1 ? one + "method passes " : all + std::to_string(count) + " methods pass ") +
                      (groups[0].empty() ? "none of the tests" : ids_text(groups[0], first)) + ".";
   if (groups.size() == 1) return wrapped(page, "", "", methods_page_width);
   page = wrapped(page + " In the table, - means not promised.", "", "", methods_page_width) + "\n";

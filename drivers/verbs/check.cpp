@@ -28,9 +28,15 @@ std::optional<double> number_in(const std::string& option, const std::string& te
   return number;
 }
 
+int dimension_in(const std::string& text) {
+  if (text.empty() || text == "2") return 2;
+  if (text == "3") return 3;
+  throw InputError({}, "--dimension", "must be 2 or 3, found '" + one_line(text, 60) + "'");
+}
+
 /// The options as they stand on the command line.
 struct CheckWords : CheckOptions {
-  std::string strain_text, step_text, pressure_text, explain;
+  std::string strain_text, step_text, pressure_text, dimension_text, explain;
 };
 
 int check_of(const CLI::App& verb, CheckWords& given, Verbosity verbosity) {
@@ -46,9 +52,12 @@ int check_of(const CLI::App& verb, CheckWords& given, Verbosity verbosity) {
   require_junit_of_name("check", given.junit, given.junit_name);
   if (all > 0 && !given.junit_name.empty())
     throw InputError("assay check: --junit-name names one suite, and --all writes one for each material");
-  if (has("--markdown") > methods) throw InputError("assay check: --markdown goes with --methods");
+  for (const char* option : {"--markdown", "--dimension"}) {
+    if (has(option) > methods) throw InputError("assay check: " + std::string(option) + " goes with --methods");
+  }
   if (given.out.empty()) given.out = "results/check";
   given.verbosity = verbosity;
+  given.dimension = dimension_in(given.dimension_text);
   given.strain = number_in("--strain", given.strain_text, 0.5, least_strain);
   given.pressure = number_in("--pressure", given.pressure_text, 1e12);
   given.step = number_in("--step", given.step_text, 1e12);
@@ -62,6 +71,7 @@ Act add_check_arguments(VerbArguments& verb) {
   verb.app.add_flag("--all", given->all, "check all registered materials, in parallel");
   add_value(verb, "--replay", given->replay, "FILE", "repeat a failed test, of MATERIAL if it is given");
   verb.app.add_flag("--methods", given->methods, "patch tests of all particle methods, or of MATERIAL");
+  add_value(verb, "--dimension", given->dimension_text, "N", "with --methods: 2, in the plane (default), or 3", "2 3");
   add_value(verb, "--parameters", given->parameters, "NAME=NUMBER,...", "parameters of the model");
   add_value(verb, "--json", given->json, "FILE", "write the verdicts as JSON (- for standard output)");
   add_junit(verb, given->junit, given->junit_name, "write the verdicts as JUnit XML, for CI");

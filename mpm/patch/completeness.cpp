@@ -11,24 +11,29 @@ namespace assay::mpm {
 namespace {
 
 constexpr double completeness_threshold = 1e-13;  ///< rounding: at most 5e-16 is found
-constexpr Mat<2> slope{0.31, -0.17, 0.23, 0.41};
+
+/// Every component differs.
+template <int Dim>
+Mat<Dim> slope() {
+  if constexpr (Dim == 2) return {0.31, -0.17, 0.23, 0.41};
+  if constexpr (Dim == 3) return {0.31, -0.17, 0.11, 0.23, 0.41, -0.29, -0.13, 0.19, 0.37};
+}
 
 /// Writes v_i = v + A x_i, and no acceleration, over what the grid has found.
-Pass<2> prescribed_velocity(const Vec<2>& v, const Mat<2>& A) {
-  Pass<2> pass;
+template <int Dim>
+Pass<Dim> prescribed_velocity(const Vec<Dim>& v, const Mat<Dim>& A) {
+  Pass<Dim> pass;
   pass.name = "prescribed_velocity";
-  pass.bind = [v, A](State<2>& s) -> Kernel {
+  pass.bind = [v, A](State<Dim>& s) -> Kernel {
     return [&s, v, A](const Instant&) {
-      const GridGeometry<2>& grid = s.setup.grid;
-      for (std::int32_t j = 0; j < grid.count[1]; ++j) {
-        for (std::int32_t i = 0; i < grid.count[0]; ++i) {
-          const double x = grid.coordinate(0, i), y = grid.coordinate(1, j);
-          double* node = s.motion.node(static_cast<std::size_t>(j * grid.count[0] + i));
-          node[0] = v[0] + A[0] * x + A[1] * y;
-          node[1] = v[1] + A[2] * x + A[3] * y;
-          node[2] = node[3] = 0;
+      for_every_node(s.setup.grid, [&](std::size_t i, const Vec<Dim>& x) {
+        double* node = s.motion.node(i);
+        for (std::size_t d = 0; d < Dim; ++d) {
+          node[d] = v[d];
+          for (std::size_t k = 0; k < Dim; ++k) node[d] += A[d * Dim + k] * x[k];
+          node[Dim + d] = 0;
         }
-      }
+      });
     };
   };
   return pass;
@@ -39,29 +44,31 @@ struct Readback {
   double value = 0, gradient = 0;
 };
 
-Readback read_back(const Method& method, const Bench& bench, const Vec<2>& v, const Mat<2>& A) {
-  const Setup<2> setup = patch_setup(method, bench, bench.quick ? 8 : 32);
+template <int Dim>
+Readback read_back(const Method& method, const Bench<Dim>& bench, const Vec<Dim>& v, const Mat<Dim>& A) {
+  const Setup<Dim> setup = patch_setup(method, bench, cells_across(bench));
   auto passes = bench.passes(setup);
-  insert_after(passes, {Phase::early_gradient, Phase::gradient, Phase::grid}, prescribed_velocity(v, A));
-  Simulation<2> simulation(setup, passes);
-  State<2>& s = simulation.state();
+  insert_after(passes, {Phase::early_gradient, Phase::gradient, Phase::grid}, prescribed_velocity<Dim>(v, A));
+  Simulation<Dim> simulation(setup, passes);
+  State<Dim>& s = simulation.state();
   arrange(s, Arrangement::jittered);
   const Column at = method.is_total() ? Column::reference_position : Column::position;
-  std::vector<Vec<2>> x, where;
+  std::vector<Vec<Dim>> x, where;
   for (std::size_t p = 0; p < s.particles; ++p) {
-    x.push_back(s.at<2>(Column::position, p));
-    where.push_back(s.at<2>(at, p));
+    x.push_back(s.template at<Dim>(Column::position, p));
+    where.push_back(s.template at<Dim>(at, p));
   }
   Readback worst;
   if (simulation.step(0, 1)) return {INFINITY, INFINITY};
   for (std::size_t p = 0; p < s.particles; ++p) {
-    for (std::size_t d = 0; d < 2; ++d) {
-      const double exact = v[d] + A[2 * d] * where[p][0] + A[2 * d + 1] * where[p][1];
+    for (std::size_t d = 0; d < Dim; ++d) {
+      double exact = v[d];
+      for (std::size_t k = 0; k < Dim; ++k) exact += A[d * Dim + k] * where[p][k];
       const double moved = s.column(Column::position, d)[p] - x[p][d];
       worst.value = larger(worst.value, std::abs(moved - exact));
-      for (std::size_t k = 0; k < 2; ++k) {
-        const double L = s.column(Column::velocity_gradient, 2 * d + k)[p];
-        worst.gradient = larger(worst.gradient, std::abs(L - A[2 * d + k]));
+      for (std::size_t k = 0; k < Dim; ++k) {
+        const double L = s.column(Column::velocity_gradient, Dim * d + k)[p];
+        worst.gradient = larger(worst.gradient, std::abs(L - A[Dim * d + k]));
       }
     }
   }
@@ -71,8 +78,12 @@ Readback read_back(const Method& method, const Bench& bench, const Vec<2>& v, co
 
 }  // namespace
 
-std::vector<check::TestResult> completeness(const Method& method, const Bench& bench) {
-  const Readback unity = read_back(method, bench, {1, 1}, {}), linear = read_back(method, bench, {}, slope);
+template <int Dim>
+std::vector<check::TestResult> completeness(const Method& method, const Bench<Dim>& bench) {
+  Vec<Dim> ones;
+  ones.fill(1);
+  const Readback unity = read_back<Dim>(method, bench, ones, {}),
+                 linear = read_back<Dim>(method, bench, {}, slope<Dim>());
   return {judged(method, "weights.unity",
                  {larger(unity.value, unity.gradient), "sum phi - 1 is at most " + digits(unity.value) +
                                                            ", h |sum grad phi| " + digits(unity.gradient) +
@@ -84,5 +95,7 @@ std::vector<check::TestResult> completeness(const Method& method, const Bench& b
                                                              "/h, on a jittered set"},
                  completeness_threshold, "linear fields not reproduced")};
 }
+
+template std::vector<check::TestResult> completeness(const Method&, const Bench<ASSAY_DIMENSION>&);
 
 }  // namespace assay::mpm

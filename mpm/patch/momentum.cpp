@@ -11,17 +11,25 @@ namespace {
 
 constexpr double momentum_threshold = 1e-13;  ///< rounding: at most 4e-15 is found
 
+/// v = v_0 + A X, before each particle's own part of it.
+template <int Dim>
+Mat<Dim> swirl() {
+  if constexpr (Dim == 2) return {0, -1, 1, 0.5};
+  if constexpr (Dim == 3) return {0, -1, 0.4, 1, 0.5, -0.7, -0.6, 0.9, -0.3};
+}
+
 /// Every particle its own mass, velocity, F and stress.
-void disturb(State<2>& s) {
+template <int Dim>
+void disturb_all(State<Dim>& s) {
   Noise noise;
   for (std::size_t p = 0; p < s.particles; ++p) {
-    const double x = s.column(Column::position, 0)[p], y = s.column(Column::position, 1)[p];
+    Vec<Dim> v = image_of<Dim>(swirl<Dim>(), s.template at<Dim>(Column::position, p));
+    v[0] = 0.3 + v[0];
     s.column(Column::mass)[p] *= 1 + 0.5 * noise();
-    s.column(Column::velocity, 0)[p] = 0.3 - y + 0.2 * noise();
-    s.column(Column::velocity, 1)[p] = x + 0.5 * y + 0.2 * noise();
-    Mat<2> F;
-    for (std::size_t c = 0; c < 4; ++c) F[c] = s.column(Column::deformation_gradient, c)[p] += 0.1 * noise();
-    const auto sigma = stress_at(*s.setup.material, F);
+    for (std::size_t d = 0; d < Dim; ++d) s.column(Column::velocity, d)[p] = v[d] + 0.2 * noise();
+    Mat<Dim> F;
+    for (std::size_t c = 0; c < F.size(); ++c) F[c] = s.column(Column::deformation_gradient, c)[p] += 0.1 * noise();
+    const auto sigma = stress_at<Dim>(*s.setup.material, F);
     for (std::size_t c = 0; c < sigma.size(); ++c) s.column(Column::stress, c)[p] = sigma[c];
   }
 }
@@ -33,39 +41,44 @@ struct Change {
   double angular = 0;    ///< of their angular momentum
 };
 
-Change change_of(const State<2>& s, const Momentum& before) {
-  const Momentum after = momentum_of(s);
-  std::array<double, 3> grid{};
+template <int Dim>
+Change change_of(const State<Dim>& s, const Momentum<Dim>& before) {
+  const Momentum<Dim> after = momentum_of(s);
+  std::array<double, Dim + 1> grid{};
   double mass = 0;
   for (std::size_t i = 0; i < s.inertia.nodes(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) grid[c] += s.inertia.node(i)[c];
+    for (std::size_t c = 0; c < grid.size(); ++c) grid[c] += s.inertia.node(i)[c];
   }
   for (std::size_t p = 0; p < s.particles; ++p) mass += s.column(Column::mass)[p];
-  Change change{std::abs(grid[0] / mass - 1), 0, std::abs(after.angular - before.angular) / before.angular_scale};
-  for (std::size_t d = 0; d < 2; ++d) {
+  Change change{std::abs(grid[0] / mass - 1), 0, 0};
+  for (std::size_t d = 0; d < Dim; ++d) {
     change.grid = larger(change.grid, std::abs(grid[1 + d] - before.linear[d]) / before.scale);
     change.particles = larger(change.particles, std::abs(after.linear[d] - before.linear[d]) / before.scale);
   }
+  for (std::size_t d = 0; d < 3; ++d)
+    change.angular = larger(change.angular, std::abs(after.angular[d] - before.angular[d]) / before.angular_scale);
   return change;
 }
 
-Change step_once(const Method& method, const Bench& bench, int across, double share) {
-  const Setup<2> setup = patch_setup(method, bench, across);
-  Simulation<2> simulation(setup, bench.passes(setup));
-  State<2>& s = simulation.state();
+template <int Dim>
+Change step_once(const Method& method, const Bench<Dim>& bench, int across, double share) {
+  const Setup<Dim> setup = patch_setup(method, bench, across);
+  Simulation<Dim> simulation(setup, bench.passes(setup));
+  State<Dim>& s = simulation.state();
   arrange(s, Arrangement::jittered);
-  disturb(s);
+  disturb_all(s);
   const double dt = share * time_step(bench, across, 1);
   if (method.is_affine() && simulation.step(0, dt)) return {INFINITY, INFINITY, INFINITY};  // what affine carries
-  const Momentum before = momentum_of(s);
+  const Momentum<Dim> before = momentum_of(s);
   if (simulation.step(0, dt)) return {INFINITY, INFINITY, INFINITY};
   return change_of(s, before);
 }
 
 }  // namespace
 
-std::vector<check::TestResult> momentum(const Method& method, const Bench& bench) {
-  const int across = bench.quick ? 8 : 32;
+template <int Dim>
+std::vector<check::TestResult> momentum(const Method& method, const Bench<Dim>& bench) {
+  const int across = cells_across(bench);
   const Change whole = step_once(method, bench, across, 1), half = step_once(method, bench, across, 0.5);
   Figure angular{whole.angular, "the angular momentum changes by " + digits(whole.angular) +
                                     " of its scale in a step, by " + digits(half.angular) + " in half a step"};
@@ -77,5 +90,7 @@ std::vector<check::TestResult> momentum(const Method& method, const Bench& bench
                  momentum_threshold, "momentum not conserved"),
           judged(method, "momentum.angular", angular, momentum_threshold, "angular momentum not conserved")};
 }
+
+template std::vector<check::TestResult> momentum(const Method&, const Bench<ASSAY_DIMENSION>&);
 
 }  // namespace assay::mpm

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the patch tests are run on: a square body of 2x2 particles a cell, in arrangements, and a list of passes that
-// probes can be put into.
+// What the patch tests are run on: a square or cube of two particles a cell and axis, in arrangements, and a list of
+// passes that probes can be put into.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,22 +18,36 @@
 namespace assay::mpm {
 
 /// What every patch test takes besides the method.
+template <int Dim>
 struct Bench {
   std::shared_ptr<const Material> material;  ///< elastic, without history
   double density = 1000;                     ///< rho0 [kg/m^3]
   double wave_speed = 0;                     ///< fastest of the material at rest [m/s]
   bool quick = false;                        ///< coarser grids
   /// The passes of a step; a negative control plants a defect here.
-  std::function<std::vector<Pass<2>>(const Setup<2>&)> passes = compose<2>;
+  std::function<std::vector<Pass<Dim>>(const Setup<Dim>&)> passes = compose<Dim>;
 };
 
 inline constexpr double courant = 0.3;  ///< of the wave and the particle together
 
-/// A square of 1 m around the origin, `across` cells wide, with as many cells of room around it.
-Setup<2> patch_setup(const Method& method, const Bench& bench, int across);
+/// A square or cube of 1 m around the origin, `across` cells wide, with room around it: as many cells in the plane, a
+/// few in space.
+template <int Dim>
+Setup<Dim> patch_setup(const Method& method, const Bench<Dim>& bench, int across);
+
+/// Cells across the body in the tests that need no series of grids: in space as few as the basis with the widest
+/// functions allows.
+template <int Dim>
+int cells_across(const Bench<Dim>& bench) {
+  if (Dim == 3) return 4;
+  return bench.quick ? 8 : 32;
+}
 
 /// Longest step for a body whose particles are as fast as `speed` [s].
-double time_step(const Bench& bench, int across, double speed);
+template <int Dim>
+double time_step(const Bench<Dim>& bench, int across, double speed) {
+  return courant / (across * (bench.wave_speed + speed));
+}
 
 /// Numbers in [-1, 1), the same on every machine.
 class Noise {
@@ -43,7 +58,7 @@ class Noise {
   std::mt19937_64 engine_{20131};
 };
 
-/// Where the particles of the square are, and how they are deformed.
+/// Where the particles of the body are, and how they are deformed.
 enum class Arrangement {
   seeded,    ///< as seeded, cell by cell
   shifted,   ///< that lattice moved by an irrational part of a cell
@@ -52,31 +67,70 @@ enum class Arrangement {
   jittered,  ///< deformed, and each particle, or each corner, moved by up to 0.3 of its distance to the next
 };
 
-/// The square cut into rows and columns whose widths differ by up to 0.6 of themselves, each rectangle a particle.
-Seeds<2> graded_seeds(int across);
+/// The body cut into rows and columns whose widths differ by up to 0.6 of themselves, each rectangle a particle.
+template <int Dim>
+Seeds<Dim> graded_seeds(int across);
 
-/// F of the last three: stretches, shear and rotation.
-Mat<2> homogeneous_deformation();
+/// F of the last three: stretches, shear in every plane and rotation.
+template <int Dim>
+Mat<Dim> homogeneous_deformation();
 
 /// Positions and F of the state, the same F for all particles. What is moved in the total formulation is the reference.
-void arrange(State<2>& s, Arrangement arrangement);
+template <int Dim>
+void arrange(State<Dim>& s, Arrangement arrangement);
 
 /// Cauchy stress after F, components as in the stress column [Pa].
-std::array<double, stress_components<2>> stress_at(const Material& material, const Mat<2>& F);
+template <int Dim>
+std::array<double, stress_components<Dim>> stress_at(const Material& material, const Mat<Dim>& F);
+
+/// A X.
+template <int Dim>
+Vec<Dim> image_of(const Mat<Dim>& A, const Vec<Dim>& X) {
+  Vec<Dim> found;
+  for (std::size_t i = 0; i < Dim; ++i) {
+    found[i] = A[i * Dim] * X[0];
+    for (std::size_t j = 1; j < Dim; ++j) found[i] += A[i * Dim + j] * X[j];
+  }
+  return found;
+}
+
+template <int Dim>
+double length_of(const Vec<Dim>& v) {
+  if constexpr (Dim == 2) return std::hypot(v[0], v[1]);
+  if constexpr (Dim == 3) return std::hypot(v[0], v[1], v[2]);
+}
+
+/// body(i, x) for every node of the grid, in its order.
+template <int Dim>
+void for_every_node(const GridGeometry<Dim>& grid, const auto& body) {
+  std::array<std::int32_t, Dim> at{};
+  for (std::size_t i = 0; i < grid.nodes(); ++i) {
+    Vec<Dim> x;
+    for (std::size_t d = 0; d < Dim; ++d) x[d] = grid.coordinate(static_cast<int>(d), at[d]);
+    body(i, x);
+    for (std::size_t d = 0; d < Dim && ++at[d] == grid.count[d]; ++d) at[d] = 0;
+  }
+}
 
 /// Behind the main pass of each of these phases. There must be one (std::logic_error): a probe that is not there sees
 /// nothing.
-void insert_after(std::vector<Pass<2>>& passes, const std::vector<Phase>& phases, const Pass<2>& probe);
+template <int Dim>
+void insert_after(std::vector<Pass<Dim>>& passes, const std::vector<Phase>& phases, const Pass<Dim>& probe);
 
 /// In place of the main pass of that phase; there must be one.
-void replace(std::vector<Pass<2>>& passes, Phase phase, const Pass<2>& other);
+template <int Dim>
+void replace(std::vector<Pass<Dim>>& passes, Phase phase, const Pass<Dim>& other);
 
-/// Momentum of the particles [N s], their angular momentum about E_z [N m s], and the sums of m |v| and m |x| |v|.
+/// Momentum of the particles [N s], their angular momentum about the axes, in the plane about E_z alone [N m s], and
+/// the sums of m |v| and m |x| |v|.
+template <int Dim>
 struct Momentum {
-  std::array<double, 2> linear{};
-  double angular = 0, scale = 0, angular_scale = 0;
+  std::array<double, Dim> linear{};
+  std::array<double, 3> angular{};
+  double scale = 0, angular_scale = 0;
 };
-Momentum momentum_of(const State<2>& s);
+template <int Dim>
+Momentum<Dim> momentum_of(const State<Dim>& s);
 
 /// What a patch test found: the error, the order at which it falls with h and dt, and a sentence.
 struct Figure {
@@ -101,30 +155,39 @@ struct MethodReport {
 };
 
 /// Every patch test of one method. What the method does not promise is measured too, and n/a.
-MethodReport run_patch_tests(const Method& method, const Bench& bench);
+template <int Dim>
+MethodReport run_patch_tests(const Method& method, const Bench<Dim>& bench);
 
 /// A bench for a material without history. Throws MaterialFailure.
-Bench bench_of(std::shared_ptr<const Material> material, bool quick);
+template <int Dim>
+Bench<Dim> bench_of(std::shared_ptr<const Material> material, bool quick);
 
 // Each file of this folder holds one group.
 
 /// Uniform motion through several cells: v uniform, F = I, momentum kept.
-std::vector<check::TestResult> translation(const Method& method, const Bench& bench);
+template <int Dim>
+std::vector<check::TestResult> translation(const Method& method, const Bench<Dim>& bench);
 
-/// Rigid rotation by an irrational angle under the body force that it needs: errors of displacement, F and J.
-std::vector<check::TestResult> rotation(const Method& method, const Bench& bench);
+/// Rigid rotation by an irrational angle, in space about (1, 2, 3), under the body force that it needs: errors of
+/// displacement, F and J.
+template <int Dim>
+std::vector<check::TestResult> rotation(const Method& method, const Bench<Dim>& bench);
 
 /// Internal force at inner nodes of a body under constant stress, in five arrangements of the particles.
-std::vector<check::TestResult> constant_stress(const Method& method, const Bench& bench);
+template <int Dim>
+std::vector<check::TestResult> constant_stress(const Method& method, const Bench<Dim>& bench);
 
 /// Force at all nodes of a loaded body under constant stress, its surface included: tension between two ends with free
 /// sides, and tractions on all faces.
-std::vector<check::TestResult> surface(const Method& method, const Bench& bench);
+template <int Dim>
+std::vector<check::TestResult> surface(const Method& method, const Bench<Dim>& bench);
 
 /// Sum of the weights, of their gradients, and of both with the nodes' positions, on an irregular set.
-std::vector<check::TestResult> completeness(const Method& method, const Bench& bench);
+template <int Dim>
+std::vector<check::TestResult> completeness(const Method& method, const Bench<Dim>& bench);
 
-/// Linear and angular momentum over one step of an irregular set.
-std::vector<check::TestResult> momentum(const Method& method, const Bench& bench);
+/// Linear momentum, and angular momentum about every axis, over one step of an irregular set.
+template <int Dim>
+std::vector<check::TestResult> momentum(const Method& method, const Bench<Dim>& bench);
 
 }  // namespace assay::mpm

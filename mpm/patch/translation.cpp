@@ -10,15 +10,17 @@ namespace assay::mpm {
 
 namespace {
 
-constexpr double translation_threshold = 1e-12;                     ///< rounding: at most 6e-14 is found
-constexpr Vec<2> aslant{1.4142135623730951, -0.57735026918962573};  ///< sqrt 2, -1/sqrt 3 [m/s]
+constexpr double translation_threshold = 1e-12;  ///< rounding: at most 6e-14 is found
+/// sqrt 2, -1/sqrt 3, sqrt 5 / 3 [m/s]
+constexpr std::array<double, 3> aslant{1.4142135623730951, -0.57735026918962573, 0.74535599249992990};
 constexpr double cells_crossed = 3.7;
 
 /// How a body flies.
+template <int Dim>
 struct Course {
-  Vec<2> velocity{};  ///< [m/s]
-  Vec<2> moved{};     ///< before it starts [h]
-  double dt = 0;      ///< [s]
+  Vec<Dim> velocity{};  ///< [m/s]
+  Vec<Dim> moved{};     ///< before it starts [h]
+  double dt = 0;        ///< [s]
   int steps = 0;
 };
 
@@ -30,15 +32,16 @@ struct Flight {
 };
 
 /// Of a body that has flown straight for t.
-double misplacement(const State<2>& s, const Vec<2>& velocity, double t) {
-  const Vec<2>& half = s.setup.seeds.half_size;
+template <int Dim>
+double misplacement(const State<Dim>& s, const Vec<Dim>& velocity, double t) {
+  const Vec<Dim>& half = s.setup.seeds.half_size;
   double largest = 0;
   for (std::size_t p = 0; p < s.particles; ++p) {
-    for (std::size_t d = 0; d < 2; ++d) {
+    for (std::size_t d = 0; d < Dim; ++d) {
       const double x = s.column(Column::reference_position, d)[p] + velocity[d] * t;
       largest = larger(largest, std::abs(s.column(Column::position, d)[p] - x));
-      for (std::size_t c = 0; s.has(Column::corners) && c < 4; ++c) {
-        const double corner = s.column(Column::corners, 2 * c + d)[p];
+      for (std::size_t c = 0; s.has(Column::corners) && c < 1 << Dim; ++c) {
+        const double corner = s.column(Column::corners, Dim * c + d)[p];
         largest = larger(largest, std::abs(corner - x - ((c >> d & 1) ? half[d] : -half[d])));
       }
     }
@@ -46,16 +49,17 @@ double misplacement(const State<2>& s, const Vec<2>& velocity, double t) {
   return largest / s.setup.grid.spacing;
 }
 
-Flight fly(const Method& method, const Bench& bench, int across, const Course& course) {
-  Setup<2> setup = patch_setup(method, bench, across);
-  for (std::size_t d = 0; d < 2; ++d) {
+template <int Dim>
+Flight fly(const Method& method, const Bench<Dim>& bench, int across, const Course<Dim>& course) {
+  Setup<Dim> setup = patch_setup(method, bench, across);
+  for (std::size_t d = 0; d < Dim; ++d) {
     for (double& X : setup.seeds.X[d]) X += course.moved[d] * setup.grid.spacing;
   }
-  Simulation<2> simulation(setup, bench.passes(setup));
-  State<2>& s = simulation.state();
-  for (std::size_t d = 0; d < 2; ++d) std::fill_n(s.column(Column::velocity, d), s.particles, course.velocity[d]);
-  const Momentum before = momentum_of(s);
-  const double speed = std::hypot(course.velocity[0], course.velocity[1]);
+  Simulation<Dim> simulation(setup, bench.passes(setup));
+  State<Dim>& s = simulation.state();
+  for (std::size_t d = 0; d < Dim; ++d) std::fill_n(s.column(Column::velocity, d), s.particles, course.velocity[d]);
+  const Momentum<Dim> before = momentum_of(s);
+  const double speed = length_of<Dim>(course.velocity);
   Flight flight;
   flight.steps = course.steps;
   for (int k = 0; k < flight.steps; ++k) {
@@ -63,18 +67,18 @@ Flight fly(const Method& method, const Bench& bench, int across, const Course& c
     if (flight.finding) return flight;
   }
   for (std::size_t p = 0; p < s.particles; ++p) {
-    for (std::size_t d = 0; d < 2; ++d) {
+    for (std::size_t d = 0; d < Dim; ++d) {
       const double v = s.column(Column::velocity, d)[p];
       flight.velocity = larger(flight.velocity, std::abs(v - course.velocity[d]) / speed);
     }
-    for (int c = 0; c < 4; ++c) {
-      const double exact = c % 3 == 0 ? 1 : 0;
+    for (int c = 0; c < Dim * Dim; ++c) {
+      const double exact = c % (Dim + 1) == 0 ? 1 : 0;
       flight.deformation = larger(flight.deformation, std::abs(s.column(Column::deformation_gradient, c)[p] - exact));
     }
   }
-  flight.place = misplacement(s, course.velocity, flight.steps * course.dt);
-  const Momentum after = momentum_of(s);
-  for (std::size_t d = 0; d < 2; ++d) {
+  flight.place = misplacement<Dim>(s, course.velocity, flight.steps * course.dt);
+  const Momentum<Dim> after = momentum_of(s);
+  for (std::size_t d = 0; d < Dim; ++d) {
     flight.momentum = larger(flight.momentum, std::abs(after.linear[d] - before.linear[d]) / before.scale);
   }
   return flight;
@@ -92,33 +96,49 @@ std::string told(const Flight& flight) {
          digits(flight.place) + " h";
 }
 
-/// Particles on lines between cells, on crossings of these, and such as arrive at both, again and again. The lattice
-/// has its particles a quarter of a cell from the lines.
-std::vector<std::pair<std::string, Course>> courses_on_lines(const Bench& bench, int across) {
+/// Particles on lines between cells, in space on faces, on crossings of these, and such as arrive at both, again and
+/// again. The lattice has its particles a quarter of a cell from the lines.
+template <int Dim>
+std::vector<std::pair<std::string, Course<Dim>>> courses_on_lines(const Bench<Dim>& bench, int across) {
   constexpr double quarter = 0.25, slow = 1e-3;
   const double still = time_step(bench, across, slow);
   // so fast that the waves hardly move in a step
   const double speed = 8 * bench.wave_speed, dt = quarter / (across * speed);
   constexpr int steps = 11;  // through nearly three cells
-  return {{"from lines", {{slow, -slow}, {quarter, 0}, still, 1}},
-          {"from lines along the other axis", {{slow, -slow}, {0, -quarter}, still, 1}},
-          {"from crossings", {{slow, slow}, {quarter, quarter}, still, 1}},
-          {"across lines", {{speed, 0}, {}, dt, steps}},
-          {"backwards across lines", {{0, -speed}, {}, dt, steps}},
-          {"from crossing to crossing", {{speed, -speed}, {quarter, -quarter}, dt, steps}}};
+  if constexpr (Dim == 2) {
+    return {{"from lines", {{slow, -slow}, {quarter, 0}, still, 1}},
+            {"from lines along the other axis", {{slow, -slow}, {0, -quarter}, still, 1}},
+            {"from crossings", {{slow, slow}, {quarter, quarter}, still, 1}},
+            {"across lines", {{speed, 0}, {}, dt, steps}},
+            {"backwards across lines", {{0, -speed}, {}, dt, steps}},
+            {"from crossing to crossing", {{speed, -speed}, {quarter, -quarter}, dt, steps}}};
+  } else {
+    return {{"from faces across E_1", {{slow, -slow, slow}, {quarter, 0, 0}, still, 1}},
+            {"from faces across E_2", {{slow, -slow, slow}, {0, -quarter, 0}, still, 1}},
+            {"from faces across E_3", {{slow, slow, -slow}, {0, 0, quarter}, still, 1}},
+            {"from lines along E_1", {{slow, slow, -slow}, {0, quarter, -quarter}, still, 1}},
+            {"from lines along E_2", {{slow, slow, slow}, {-quarter, 0, -quarter}, still, 1}},
+            {"from crossings", {{slow, slow, slow}, {quarter, quarter, quarter}, still, 1}},
+            {"across faces", {{0, 0, speed}, {}, dt, steps}},
+            {"backwards across faces", {{0, -speed, 0}, {}, dt, steps}},
+            {"from crossing to crossing", {{speed, -speed, speed}, {quarter, -quarter, quarter}, dt, steps}}};
+  }
 }
 
 }  // namespace
 
-std::vector<check::TestResult> translation(const Method& method, const Bench& bench) {
-  const int across = bench.quick ? 8 : 32;
-  const double speed = std::hypot(aslant[0], aslant[1]), dt = time_step(bench, across, speed);
+template <int Dim>
+std::vector<check::TestResult> translation(const Method& method, const Bench<Dim>& bench) {
+  const int across = cells_across(bench);
+  Vec<Dim> velocity;
+  std::copy_n(aslant.begin(), Dim, velocity.begin());
+  const double speed = length_of<Dim>(velocity), dt = time_step(bench, across, speed);
   const int steps = static_cast<int>(std::ceil(cells_crossed / (across * aslant[0] * dt)));
-  const Flight flight = fly(method, bench, across, {aslant, {}, dt, steps});
+  const Flight flight = fly<Dim>(method, bench, across, {velocity, {}, dt, steps});
   const std::string way = flight.finding ? "" : "through " + digits(cells_crossed) + " cells in ";
   const Figure plain{error_of(flight), way + told(flight)};
   Figure lines{-1, {}};
-  constexpr int few = 8;  // cells: what happens on a line happens on each
+  constexpr int few = Dim == 2 ? 8 : 4;  // cells: what happens on a line happens on each
   for (const auto& [what, course] : courses_on_lines(bench, few)) {
     const Flight on_lines = fly(method, bench, few, course);
     const double error = error_of(on_lines);
@@ -128,5 +148,7 @@ std::vector<check::TestResult> translation(const Method& method, const Bench& be
       judged(method, "translation", plain, translation_threshold, "uniform motion disturbed"),
       judged(method, "translation.lines", lines, translation_threshold, "particles on lines disturb uniform motion")};
 }
+
+template std::vector<check::TestResult> translation(const Method&, const Bench<ASSAY_DIMENSION>&);
 
 }  // namespace assay::mpm
