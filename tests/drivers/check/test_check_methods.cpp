@@ -65,6 +65,40 @@ TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonJUnitAndTheTableOfTheDocuments)
   EXPECT_NE(ending.said.find("\nn/a  stress.jittered: domains of CPDI"), std::string::npos) << ending.said;
 }
 
+/// Which method passes which test is the same in space: the page has one table.
+TEST(CheckMethods, RunsEveryMethodInSpaceAsInThePlane) {
+  const ScratchFolder scratch;
+  const std::string json = scratch / "methods.json", junit = scratch / "methods.xml", table = scratch / "methods.md";
+  const Ending ending =
+      assay({"check", "--methods", "--dimension", "3", "--json", json, "--junit", junit, "--markdown", table});
+  EXPECT_EQ(ending.status, 0) << ending.said;
+  EXPECT_EQ(ending.said.rfind("methods in three dimensions: pass; ", 0), 0u) << ending.said;
+  const auto found = nlohmann::json::parse(bytes_of(json));
+  EXPECT_EQ(found["dimension"], 3);
+  EXPECT_EQ(found["verdict"], "pass");
+  ASSERT_EQ(found["methods"].size(), mpm::all_methods().size());
+  EXPECT_EQ(found["tests"].size(), 17 * mpm::all_methods().size());
+  EXPECT_NE(bytes_of(junit).find("<testsuite name=\"assay check methods_3d\""), std::string::npos);
+  const std::string markdown = bytes_of(table), page = text_of_tree("docs/check.md");
+  EXPECT_EQ(markdown.rfind("In three dimensions, all ", 0), 0u) << markdown;
+  const std::size_t rows = markdown.find("\n|");
+  ASSERT_NE(rows, std::string::npos) << markdown;
+  EXPECT_NE(page.find(markdown.substr(rows)), std::string::npos) << markdown;
+}
+
+TEST(CheckMethods, ADimensionIsTwoOrThreeAndGoesWithMethods) {
+  const Ending plane = assay({"check", "--methods", "linear/pic/usl", "--quick", "--json", "-"}),
+               said = assay({"check", "--methods", "linear/pic/usl", "--quick", "--dimension", "2", "--json", "-"});
+  EXPECT_EQ(plane.said, said.said);
+  EXPECT_EQ(nlohmann::json::parse(said.said)["dimension"], 2);
+  const Ending four = assay({"check", "--methods", "--dimension", "4"});
+  EXPECT_EQ(four.status, 2);
+  EXPECT_EQ(four.said, "--dimension: must be 2 or 3, found '4'\n");
+  const Ending model = assay({"check", "neo_hookean", "--dimension", "3"});
+  EXPECT_EQ(model.status, 2);
+  EXPECT_EQ(model.said, "assay check: --dimension goes with --methods\n");
+}
+
 TEST(CheckMethods, WritesJsonAloneOnStandardOutputAndOfOneMethodThatAlone) {
   const Ending ending = assay({"check", "--methods", "cpdi/flip/usl", "--json", "-"});
   EXPECT_EQ(ending.status, 0);
@@ -125,7 +159,7 @@ CheckedMethods broken() {
                    .verdict = check::Verdict::not_applicable,
                    .measure = 0.48,
                    .sentence = "large; not promised: holes"}};
-  return {{report}, 0.5};
+  return {{report}, 0.5, 2};
 }
 
 TEST(MethodsReport, TextFitsEightyColumnsAndShowsWhatFails) {
@@ -156,6 +190,15 @@ TEST(MethodsReport, ManyMethodsAreCountedByBasisAndFailuresShown) {
   }
   EXPECT_EQ(text.find("weights.unity"), text.npos) << text;
   EXPECT_NE(all.find("  weights.unity"), all.npos) << all;
+}
+
+TEST(MethodsReport, SaysInHowManyDimensions) {
+  CheckedMethods space = broken();
+  space.dimension = 3;
+  EXPECT_TRUE(methods_text(space, Verbosity::quiet).starts_with("methods in three dimensions: FAIL; 1 method, "));
+  EXPECT_TRUE(methods_markdown(space).starts_with("In three dimensions, the method passes `weights.unity`."));
+  EXPECT_EQ(nlohmann::json::parse(methods_json(space))["dimension"], 3);
+  EXPECT_EQ(nlohmann::json::parse(methods_json(broken()))["dimension"], 2);
 }
 
 TEST(MethodsReport, JsonNamesChoicesByTheWordsThatAScenesKeysTake) {

@@ -14,7 +14,7 @@ namespace {
 constexpr Method cpdi{Basis::cpdi, Transfer::flip, Update::usl};
 
 TEST(PatchBench, HasASquareOfOneMetreWithTwoByTwoParticlesACell) {
-  const Bench bench = bench_of(elastic_material(), true);
+  const Bench<2> bench = bench_of<2>(elastic_material(), true);
   // (lambda + 2 mu) / rho at E = 1000, nu = 0.3, rho = 1000
   EXPECT_NEAR(bench.wave_speed, std::sqrt(0.7 / (1.3 * 0.4)), 1e-6);
   const mpm::Setup<2> setup = patch_setup(cpdi, bench, 8);
@@ -26,7 +26,7 @@ TEST(PatchBench, HasASquareOfOneMetreWithTwoByTwoParticlesACell) {
 
 /// How far the particles are from F X: smallest and largest of both directions [m].
 std::array<double, 2> moved(Arrangement arrangement, const Mat<2>& F) {
-  Simulation<2> simulation(patch_setup(cpdi, bench_of(elastic_material(), true), 8));
+  Simulation<2> simulation(patch_setup(cpdi, bench_of<2>(elastic_material(), true), 8));
   State<2>& s = simulation.state();
   arrange(s, arrangement);
   std::array<double, 2> range{HUGE_VAL, -HUGE_VAL};
@@ -45,7 +45,7 @@ std::array<double, 2> moved(Arrangement arrangement, const Mat<2>& F) {
 }
 
 TEST(PatchBench, ArrangementsAreWhatTheySay) {
-  const Mat<2> identity{1, 0, 0, 1}, F = homogeneous_deformation();
+  const Mat<2> identity{1, 0, 0, 1}, F = homogeneous_deformation<2>();
   const double h = 0.125, distance = h / 2;
   EXPECT_EQ(moved(Arrangement::seeded, identity), (std::array<double, 2>{0, 0}));
   const auto shifted = moved(Arrangement::shifted, identity), deformed = moved(Arrangement::deformed, F),
@@ -59,7 +59,7 @@ TEST(PatchBench, ArrangementsAreWhatTheySay) {
 }
 
 TEST(PatchBench, GradedSeedsFillTheSquareWithUnequalRectangles) {
-  const Seeds<2> seeds = graded_seeds(8);
+  const Seeds<2> seeds = graded_seeds<2>(8);
   ASSERT_EQ(seeds.size(), 256u);
   double volume = 0, smallest = 1, largest = 0, moment = 0;
   for (std::size_t p = 0; p < seeds.size(); ++p) {
@@ -112,17 +112,17 @@ TEST(PatchBench, JudgesWhatIsPromisedAndTellsTheRest) {
 }
 
 TEST(PatchBench, MomentumIsThatOfTheParticles) {
-  const mpm::Setup<2> setup = patch_setup(cpdi, bench_of(elastic_material(), true), 8);
+  const mpm::Setup<2> setup = patch_setup(cpdi, bench_of<2>(elastic_material(), true), 8);
   Simulation<2> simulation(setup);
   State<2>& s = simulation.state();
   for (std::size_t p = 0; p < s.particles; ++p) {
     s.column(Column::velocity, 0)[p] = 2 - s.column(Column::position, 1)[p];
     s.column(Column::velocity, 1)[p] = s.column(Column::position, 0)[p];
   }
-  const Momentum found = momentum_of(s);
+  const Momentum<2> found = momentum_of(s);
   EXPECT_NEAR(found.linear[0], 2000, 1e-9);
   EXPECT_NEAR(found.linear[1], 0, 1e-9);
-  EXPECT_NEAR(found.angular, 1000.0 / 6, 1);  // rho a^4 / 6, at points
+  EXPECT_NEAR(found.angular[2], 1000.0 / 6, 1);  // rho a^4 / 6, at points
 }
 
 }  // namespace
