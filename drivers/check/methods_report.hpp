@@ -21,8 +21,8 @@ struct CheckedMethods {
 /// For one method, and with Verbosity::verbose, the rows of all tests; with quiet the verdict alone.
 std::string methods_text(const CheckedMethods& checked, Verbosity verbosity);
 
-/// {dimension, methods, verdict, tests: [{method, basis, formulation, transfer, update, mass, id, verdict, measure,
-/// threshold, order, cause, sentence}]}; figures that were not found, or are infinite, are null.
+/// {methods, verdict, tests: [{method, basis, formulation, transfer, update, mass, id, verdict, measure, threshold,
+/// order, cause, sentence}]}, in space with dimension: 3; figures that were not found, or are infinite, are null.
 std::string methods_json(const CheckedMethods& checked);
 
 /// One test suite, in space "assay check methods_3d"; a test case is named "cpdi/flip/usl translation".

@@ -72,7 +72,7 @@ std::string name_of(const Method& method) {
 
 std::string exemption(const Method& method, const std::string& test) {
   const BasisTraits basis = traits_of<2>(method.basis);
-  if (test == "momentum.angular") return why_angular_momentum_changes(method);
+  if (test == "momentum.angular" || test == "tilted.angular") return why_angular_momentum_changes(method);
   if (test.starts_with("rotation.")) {
     if (method.transfer == Transfer::pic)
       return "PIC smooths the velocity in every step, so shorter steps give more smoothing";

@@ -168,8 +168,8 @@ Bench<Dim> bench_of(std::shared_ptr<const Material> material, bool quick);
 template <int Dim>
 std::vector<check::TestResult> translation(const Method& method, const Bench<Dim>& bench);
 
-/// Rigid rotation by an irrational angle, in space about (1, 2, 3), under the body force that it needs: errors of
-/// displacement, F and J.
+/// Rigid rotation by an irrational angle under the body force that it needs: errors of displacement, F and J. In space
+/// that of slabs about each axis, and that of a cube about (1, 2, 3).
 template <int Dim>
 std::vector<check::TestResult> rotation(const Method& method, const Bench<Dim>& bench);
 

@@ -15,7 +15,7 @@ namespace assay::mpm::test_images_space {
 namespace {
 
 constexpr double same_place = 1e-12;  ///< rounding [m]
-constexpr int steps = 10, cells = 4;
+constexpr int steps = 10, cells = 2;  // in 1 m: fewer than a spline reaches over
 constexpr double dt = 0.004;
 
 /// The cube from -1 to 1, which repeats, or the part of it above 0 along some axes, between planes at 0 and 1.
