@@ -33,7 +33,7 @@ TEST(PlanesInSpace, ASliceErrsAsTheWholeCube) {
   EXPECT_EQ(2 * slice["particles"].get<int>(), whole["particles"].get<int>());
   for (const char* norm : {"l2_half", "l2_end", "l2_max", "linf_max"}) {
     const double found = slice["error"][norm], wanted = whole["error"][norm];
-    EXPECT_NEAR(found, wanted, 1e-9 * wanted) << norm;
+    EXPECT_NEAR(found, wanted, 1e-12 * wanted) << norm;
   }
   const double l2 = slice["error"]["l2_max"], of_other = other["error"]["l2_max"];
   EXPECT_GT(std::abs(of_other - l2), 1e-3 * l2);
