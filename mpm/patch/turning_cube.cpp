@@ -22,7 +22,7 @@ constexpr double kept_momentum = 1e-12;             ///< rounding: at most 1e-14
 
 /// Largest |F - Q| of one step over its angle squared, and largest stress over rho c^2 times that. From F = I + dt W,
 /// as where stress comes first, or I + dt W + dt^2 W^2, and W = omega n x: sqrt(1/2), and (lambda + mu) / rho c^2 times
-/// a component of I - n (x) n, 0.7 for the material of the bench. Up to 0.75 is found: a little of the faces comes to
+/// a component of I - n (x) n, 0.69 for the material of the bench. Up to 0.71 is found: a little of the faces comes to
 /// it, with a consistent mass through the whole body.
 constexpr double most_of_a_step = 0.8;
 

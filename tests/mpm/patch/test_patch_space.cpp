@@ -16,7 +16,16 @@ using SpaceDefect = DefectIn<3>;
 struct EveryPatchedMethodInSpace : testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(Method, EveryPatchedMethodInSpace, testing::ValuesIn(one_of_each_basis()), way_name);
 
+struct LongEveryPatchedMethodInSpace : testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Method, LongEveryPatchedMethodInSpace, testing::ValuesIn(all_methods()), way_name);
+
 TEST_P(EveryPatchedMethodInSpace, KeepsWhatItPromisesAndTellsTheRest) { expect_promises_kept<3>(GetParam()); }
+
+TEST_P(LongEveryPatchedMethodInSpace, KeepsWhatItPromises) {
+  const MethodReport report = run_patch_tests(GetParam(), quick_patch_bench<3>());
+  EXPECT_EQ(report.tests.size(), 22u);
+  EXPECT_EQ(failed_tests(report), std::set<std::string>());
+}
 
 Method flip_of(Basis basis, Formulation formulation = Formulation::updated, Update update = Update::usl) {
   return {basis, Transfer::flip, update, formulation};
