@@ -45,8 +45,8 @@ Setup<Dim> forced(Setup<Dim> setup) {
   return setup;
 }
 
-/// From rest stress, with the velocities of the motion, by `angle` in equal steps of at most `step` [rad], [s]. Without
-/// the body force what was cut free flies apart.
+/// Without stress and with the velocities of the motion at first, by `angle` in equal steps of at most `step` [rad],
+/// [s]. Without the body force the body stretches as it turns.
 template <int Dim>
 Turned<Dim> turn_body(Setup<Dim> setup, const Bench<Dim>& bench, const Axis& axis, double angle, double step);
 

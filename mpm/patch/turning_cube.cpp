@@ -44,7 +44,7 @@ struct Relabelled {
 };
 constexpr Relabelled cyclic{{1, 2, 0}, 1}, mirrored{{1, 0, 2}, -1};
 
-/// By which the mirror turns an axis of rotation round.
+/// About which the other cube turns: a mirror reverses the sense of a rotation.
 Axis relabelled_axis(const Relabelled& to) {
   Axis n;
   for (std::size_t d = 0; d < 3; ++d) n[to.axes[d]] = to.handedness * tilted_axis[d];
@@ -97,7 +97,7 @@ double change_of_angular_momentum(const State<3>& s) {
   return std::max(-*least, *most) / found.angular_scale;
 }
 
-/// About all three axes, of a cube that nothing holds together but its stress: on the grid where the accounts have it.
+/// About all three axes, of a cube without body force: on the grid where the accounts have it.
 check::TestResult angular_momentum(const Method& method, const Bench<3>& bench) {
   Setup<3> setup = patch_setup(method, bench, cells_across(bench));
   setup.accounts = true;
