@@ -44,7 +44,6 @@ Simulation<Dim>::Simulation(Setup<Dim> setup, const std::vector<Pass<Dim>>& pass
     times_.push_back(std::move(time));
   }
   plan(passes);
-  for (std::vector<double>& X : state_.setup.seeds.X) std::vector<double>().swap(X);  // a column holds them
 }
 
 template <int Dim>

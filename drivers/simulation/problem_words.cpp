@@ -78,7 +78,7 @@ double ProblemIn<Dim>::estimated_bytes() const {
   bytes -= static_cast<double>((setup.grid.nodes() - mpm::nodes_with_mass_rows(setup)) * mpm::mass_row_bytes(setup));
   const auto stepped = static_cast<double>(setup.seeds.size()), held = static_cast<double>(setup.seeds.held.size());
   constexpr double seed = Dim * sizeof(double), ring_point = 2 * sizeof(double) + sizeof(std::uint32_t);
-  bytes += seed * (stepped + held);
+  bytes += seed * (2 * stepped + held);  // the problem and its run have them
   // In the plane force field and error sampler; in space blocks of these are made as they are asked for.
   if (compared) bytes += stepped * (Dim == 2 ? 2 * ring_point + 4 * sizeof(double) : 2 * sizeof(double));
   if (setup.seeds.domains || setup.evaluation == mpm::Evaluation::domain_average) {
