@@ -121,8 +121,9 @@ Errors errors_of(const Turned<Dim>& turned) {
 /// defect leaves an error that does not fall.
 constexpr double least_order = 0.5;
 
-check::TestResult judged_series(const Method& method, const std::string& id, const Series& series, double Errors::*kind,
-                                const std::string& what) {
+/// Of the plane.
+[[maybe_unused]] check::TestResult judged_series(const Method& method, const std::string& id, const Series& series,
+                                                 double Errors::*kind, const std::string& what) {
   const auto& runs = series.runs;
   const Errors &before_last = runs[runs.size() - 2], &finest = runs.back();
   const double before = before_last.*kind, last = finest.*kind;
