@@ -205,8 +205,8 @@ MethodReport run_patch_tests(const Method& method, const Bench<Dim>& bench) {
 }
 
 template <int Dim>
-Bench<Dim> bench_of(std::shared_ptr<const Material> material, bool quick) {
-  Bench<Dim> bench{.material = std::move(material), .quick = quick};
+Bench<Dim> bench_of(const std::shared_ptr<const Material>& material, bool quick) {
+  Bench<Dim> bench{.material = material, .quick = quick};
   bench.wave_speed = fastest_wave_on_path(*bench.material, Homogeneous{}.baseline(), bench.density, 0);
   return bench;
 }
@@ -222,6 +222,6 @@ template void insert_after(std::vector<Pass<ASSAY_DIMENSION>>&, const std::vecto
 template void replace(std::vector<Pass<ASSAY_DIMENSION>>&, Phase, const Pass<ASSAY_DIMENSION>&);
 template Momentum<ASSAY_DIMENSION> momentum_of(const State<ASSAY_DIMENSION>&);
 template MethodReport run_patch_tests(const Method&, const Bench<ASSAY_DIMENSION>&);
-template Bench<ASSAY_DIMENSION> bench_of(std::shared_ptr<const Material>, bool);
+template Bench<ASSAY_DIMENSION> bench_of(const std::shared_ptr<const Material>&, bool);
 
 }  // namespace assay::mpm

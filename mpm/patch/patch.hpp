@@ -160,7 +160,7 @@ MethodReport run_patch_tests(const Method& method, const Bench<Dim>& bench);
 
 /// A bench for a material without history. Throws MaterialFailure.
 template <int Dim>
-Bench<Dim> bench_of(std::shared_ptr<const Material> material, bool quick);
+Bench<Dim> bench_of(const std::shared_ptr<const Material>& material, bool quick);
 
 // Each file of this folder holds one group.
 
