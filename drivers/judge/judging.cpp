@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "drivers/findings/findings.hpp"
+#include "drivers/judge/changes.hpp"
 #include "drivers/mistakes/perturbed_scene.hpp"
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/scene/body_box.hpp"

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "drivers/system/input_error.hpp"
+
 namespace assay::drivers {
 
 KeptNumbers::KeptNumbers(bool in_file) {
