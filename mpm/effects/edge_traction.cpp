@@ -42,12 +42,6 @@ auto corners_now(const State<Dim>& s, const SurfacePiece<Dim>& piece) {
   return x;
 }
 
-template <int Dim>
-double size_of(const Vec<Dim>& v) {
-  if constexpr (Dim == 2) return std::hypot(v[0], v[1]);
-  if constexpr (Dim == 3) return std::hypot(v[0], v[1], v[2]);
-}
-
 /// n ds of a piece for each of its ends: of the line or face between its corners where these move, else J F^-T N dA0 of
 /// its particle in equal shares.
 template <int Dim>
@@ -83,7 +77,7 @@ auto forces_on(const State<Dim>& s, const SurfacePiece<Dim>& piece, const auto& 
     for (const auto& n : normals) {
       for (std::size_t d = 0; d < Dim; ++d) whole[d] += n[d];
     }
-    const double share = size_of<Dim>(piece.N_dA) / size_of<Dim>(whole);
+    const double share = length_of<Dim>(piece.N_dA) / length_of<Dim>(whole);
     for (auto& n : normals) {
       for (double& component : n) component *= share;
     }

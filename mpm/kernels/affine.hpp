@@ -2,6 +2,8 @@
 // The velocity around a particle: who carries it, and the algebra of it.
 #pragma once
 
+#include <cmath>
+
 #include "mpm/basis/basis.hpp"
 #include "mpm/data/columns.hpp"
 #include "mpm/setup/method.hpp"
@@ -40,6 +42,12 @@ ASSAY_INLINE Mat<Dim> inverse(const Mat<Dim>& A) {
     for (std::size_t j = 0; j < Dim; ++j) found[i * Dim + j] = T[j * Dim + i];
   }
   return found;
+}
+
+template <int Dim>
+double length_of(const Vec<Dim>& v) {
+  if constexpr (Dim == 2) return std::hypot(v[0], v[1]);
+  if constexpr (Dim == 3) return std::hypot(v[0], v[1], v[2]);
 }
 
 }  // namespace assay::mpm

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "harness/check/battery.hpp"
-#include "mpm/basis/basis.hpp"
+#include "mpm/kernels/affine.hpp"
 #include "mpm/patch/methods.hpp"
 #include "mpm/simulation.hpp"
 
@@ -92,12 +92,6 @@ Vec<Dim> image_of(const Mat<Dim>& A, const Vec<Dim>& X) {
     for (std::size_t j = 1; j < Dim; ++j) found[i] += A[i * Dim + j] * X[j];
   }
   return found;
-}
-
-template <int Dim>
-double length_of(const Vec<Dim>& v) {
-  if constexpr (Dim == 2) return std::hypot(v[0], v[1]);
-  if constexpr (Dim == 3) return std::hypot(v[0], v[1], v[2]);
 }
 
 /// body(i, x) for every node of the grid, in its order.

@@ -10,6 +10,33 @@ namespace assay::mpm::ASSAY_INSTRUCTIONS {
 template <int Dim>
 void multiply_rows(const StencilRows<Dim>& rows);
 
+namespace {
+
+constexpr std::size_t stride = GridField<ASSAY_DIMENSION>::stride;
+constexpr std::size_t lanes = stride * rows_at_once<ASSAY_DIMENSION>;  ///< numbers of the nodes that fill a pack
+
+/// Those of a node and what is beside it in its pack.
+ASSAY_INLINE const double* around(const StencilRows<ASSAY_DIMENSION>& rows, std::size_t i, std::size_t k) {
+  return rows.from + static_cast<std::ptrdiff_t>(stride) * (static_cast<std::ptrdiff_t>(i) + rows.offsets[k]);
+}
+
+/// One row of all.
+template <std::size_t Packs>
+ASSAY_INLINE void multiply_alike(const StencilRows<ASSAY_DIMENSION>& rows, std::size_t i, double* to) {
+  Pack<lanes> sum[Packs] = {};
+  for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
+    const double* from = around(rows, i, k);
+    for (std::size_t p = 0; p < Packs; ++p) {
+      Pack<lanes> x;
+      load<lanes>(x, from + lanes * p);
+      sum[p] += rows.values[k] * x;
+    }
+  }
+  for (std::size_t p = 0; p < Packs; ++p) store<lanes>(to + lanes * p, sum[p]);
+}
+
+}  // namespace
+
 #if ASSAY_DIMENSION == 2
 
 namespace {
@@ -21,31 +48,16 @@ constexpr std::size_t packs_at_once = 4;
 constexpr std::size_t packs_at_once = 2;
 #endif
 
-/// One row of all.
-template <std::size_t Packs>
-ASSAY_INLINE void multiply_alike(const StencilRows<2>& rows, std::size_t i, double* to) {
-  Pack<8> sum[Packs] = {};
-  for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
-    const double* from = rows.from + 2 * (static_cast<std::ptrdiff_t>(i) + rows.offsets[k]);
-    for (std::size_t p = 0; p < Packs; ++p) {
-      Pack<8> x;
-      load<8>(x, from + 8 * p);
-      sum[p] += rows.values[k] * x;
-    }
-  }
-  for (std::size_t p = 0; p < Packs; ++p) store<8>(to + 8 * p, sum[p]);
-}
-
 /// A row each.
 ASSAY_INLINE void multiply_own(const StencilRows<2>& rows, std::size_t i, double* to) {
   const double* values = rows.row(i);
-  Pack<8> sum{}, x, m;
+  Pack<lanes> sum{}, x, m;
   for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
-    load<8>(x, rows.from + 2 * (static_cast<std::ptrdiff_t>(i) + rows.offsets[k]));
+    load<lanes>(x, around(rows, i, k));
     load_twice(m, values + rows_at_once<2> * k);
     sum += m * x;
   }
-  store<8>(to, sum);
+  store<lanes>(to, sum);
 }
 
 }  // namespace
@@ -80,32 +92,15 @@ constexpr std::size_t nodes_at_once = 8;
 constexpr std::size_t nodes_at_once = 4;
 #endif
 
-/// One row of all.
-template <std::size_t Nodes>
-ASSAY_INLINE void multiply_alike(const StencilRows<3>& rows, std::size_t i) {
-  constexpr std::size_t S = GridField<3>::stride;
-  Pack<4> sum[Nodes] = {};
-  for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
-    const double* from =
-        rows.from + static_cast<std::ptrdiff_t>(S) * (static_cast<std::ptrdiff_t>(i) + rows.offsets[k]);
-    for (std::size_t n = 0; n < Nodes; ++n) {
-      Pack<4> x;
-      load<4>(x, from + S * n);
-      sum[n] += rows.values[k] * x;
-    }
-  }
-  for (std::size_t n = 0; n < Nodes; ++n) store<4>(rows.to + S * (i + n), sum[n]);
-}
-
+/// A row each.
 ASSAY_INLINE void multiply_own(const StencilRows<3>& rows, std::size_t i) {
-  constexpr std::size_t S = GridField<3>::stride;
   const double* values = rows.row(i);
-  Pack<4> sum{}, x;
+  Pack<lanes> sum{}, x;
   for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
-    load<4>(x, rows.from + static_cast<std::ptrdiff_t>(S) * (static_cast<std::ptrdiff_t>(i) + rows.offsets[k]));
+    load<lanes>(x, around(rows, i, k));
     sum += values[k] * x;
   }
-  store<4>(rows.to + S * i, sum);
+  store<lanes>(rows.to + lanes * i, sum);
 }
 
 }  // namespace
@@ -114,8 +109,9 @@ template <>
 void multiply_rows<3>(const StencilRows<3>& rows) {
   static_assert(rows_at_once<3> == 1);
   std::size_t i = rows.begin;
-  for (; rows.alike && i + nodes_at_once <= rows.end; i += nodes_at_once) multiply_alike<nodes_at_once>(rows, i);
-  for (; rows.alike && i < rows.end; ++i) multiply_alike<1>(rows, i);
+  for (; rows.alike && i + nodes_at_once <= rows.end; i += nodes_at_once)
+    multiply_alike<nodes_at_once>(rows, i, rows.to + lanes * i);
+  for (; rows.alike && i < rows.end; ++i) multiply_alike<1>(rows, i, rows.to + lanes * i);
   for (; i < rows.end; ++i) multiply_own(rows, i);
 }
 

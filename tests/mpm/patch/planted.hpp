@@ -11,6 +11,7 @@
 #include "mpm/kernels/variants/table.hpp"
 #include "mpm/patch/patch.hpp"
 #include "mpm/patch/rotation.hpp"
+#include "mpm/step/surface_loads.hpp"
 #include "tests/mpm/vortex_setup.hpp"
 
 namespace assay::mpm {
@@ -37,6 +38,15 @@ inline std::vector<Method> one_of_each_basis() {
     return method.transfer != Transfer::flip || !method.is_lumped() || method.update != Update::usl;
   });
   return methods;
+}
+
+/// One corner of each piece of the surface bears all of its force.
+template <int Dim>
+void bear_on_one_corner(State<Dim>& s, const Instant&) {
+  for (SurfacePoint<Dim>& point : s.template own<SurfaceLoads<Dim>>().points) {
+    point.corner = point.piece->corners[0];
+    for (std::size_t d = 0; d < Dim; ++d) point.offset[d] = point.piece->X[0][d] - s.setup.seeds.X[d][point.particle];
+  }
 }
 
 /// With a margin of ten to what is rounding.

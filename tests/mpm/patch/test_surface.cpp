@@ -66,13 +66,7 @@ TEST(PatchedSurface, SeesAForceThatIsNotHalvedBetweenTheCorners) {
   expect_caught({"one corner bears an edge's force",
                  "traction",
                  true,
-                 [](State<2>& s, const Instant&) {
-                   for (SurfacePoint<2>& point : s.own<SurfaceLoads<2>>().points) {
-                     point.corner = point.piece->corners[0];
-                     for (std::size_t d = 0; d < 2; ++d)
-                       point.offset[d] = point.piece->X[0][d] - s.setup.seeds.X[d][point.particle];
-                   }
-                 },
+                 bear_on_one_corner<2>,
                  {surface_methods.begin(), surface_methods.end() - 1},  // B-splines have no corners
                  both_surfaces});
 }

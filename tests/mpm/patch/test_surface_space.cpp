@@ -59,13 +59,7 @@ TEST(PatchedSurfaceInSpace, SeesAForceThatIsNotSharedByTheFourCorners) {
   expect_caught_in<3>({"one corner bears a face's force",
                        "traction",
                        true,
-                       [](State<3>& s, const Instant&) {
-                         for (SurfacePoint<3>& point : s.own<SurfaceLoads<3>>().points) {
-                           point.corner = point.piece->corners[0];
-                           for (std::size_t d = 0; d < 3; ++d)
-                             point.offset[d] = point.piece->X[0][d] - s.setup.seeds.X[d][point.particle];
-                         }
-                       },
+                       bear_on_one_corner<3>,
                        {convected, corners, first, total_boxes},
                        {"surface.free", "surface.traction"}});
 }
