@@ -77,7 +77,8 @@ ErrorSample ErrorSampler<Dim>::sample(const mpm::State<Dim>& s, double t, double
   NormAccumulator u, v, F, J, stress, exact, all;
   for (std::size_t begin = 0; begin < s.particles; begin += mpm::block_size) {
     const std::size_t end = std::min(s.particles, begin + mpm::block_size);
-    const auto &here = now_->window(begin, end), &moving = velocity_->window(begin, end);
+    const auto& here = now_->window(begin, end);
+    const auto& moving = velocity_->window(here);
     for (std::size_t p = begin; p < end; ++p) {
       const FieldState<Dim> e = here.state(p);
       const auto F_p = s.template at<Dim * Dim>(Column::deformation_gradient, p);

@@ -115,6 +115,7 @@ class ExactInstant {
 
   /// What some of the points are asked of, as in space: the instant itself.
   const ExactInstant& window(std::size_t, std::size_t) const { return *this; }
+  const ExactInstant& window(const ExactInstant&) const { return *this; }
 
  protected:
   std::vector<double> X_, Y_;

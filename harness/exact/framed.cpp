@@ -160,6 +160,12 @@ class FramedPlaces final : public ExactPlaces {
       for (std::size_t p = 0; p < some; ++p) out.put(begin + p, seen_from(now.frame(), fields[p].point(), now.t()));
     }
   }
+  bool moves(const ExactSlice& now, std::size_t point) const override {
+    return own_->moves(static_cast<const FramedSlice&>(now).own(), point);
+  }
+  Vector3 displacement(const ExactSlice& now, std::size_t point) const override {
+    return own_->displacement(static_cast<const FramedSlice&>(now).own(), point);
+  }
 
  private:
   std::unique_ptr<const ExactPlaces> own_;

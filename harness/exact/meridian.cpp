@@ -83,30 +83,32 @@ class MeridianSlice final : public ExactSlice {
   ExactPoint at(const Vector3& X) const override {
     const auto p = finder_.place(X);
     if (!p) return {at_rest(X), {}};
-    return point_of(*p, response_ ? meridian_response(*response_, p->xi, first_front_) : MeridianResponse());
-  }
-
-  ExactPoint point_of(const MeridianPoint& p, const MeridianResponse& response) const {
-    ExactPoint found{state_of(p, g_), {}};
-    ExactStress& stress = found.stress;
-    const Tensor B = p.axes(), Q = p.rotation(g_.value * p.profile.h);
-    stress.first_piola_kirchhoff = Q * B * (p.xi * response.tau_by_xi) * B.transpose();
-    stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, found.state.F);
-    stress.static_force = static_force(p, Q, B, response);
-    stress.body_force = found.state.a + stress.static_force;
+    PointFields fields;
+    put(*p, response_ ? meridian_response(*response_, p->xi, first_front_) : MeridianResponse(), 0,
+        PointFields::views(&fields));
+    ExactPoint found = fields.point();
+    found.state.F_rate = state_of(*p, g_).F_rate;
     return found;
   }
 
-  /// b and its static part alone.
-  void put_forces(const MeridianPoint& p, const MeridianResponse& response, std::size_t point,
-                  const FieldViews& out) const {
+  void put(const MeridianPoint& p, const MeridianResponse& response, std::size_t point, const FieldViews& out) const {
     const Tensor Q = p.rotation(g_.value * p.profile.h);
-    const Vector3 without = static_force(p, Q, p.axes(), response);
-    const auto put = [&](const FieldView& view, const Vector3& b) {
-      for (int c = 0; view && c < static_cast<int>(out.dimension); ++c) view.at(point, std::size_t(c)) = b(c);
-    };
-    put(out.static_force, without);
-    if (out.b) put(out.b, acceleration_of(p, g_, Q) + without);
+    ExactPoint found;
+    auto& [state, stress] = found;
+    if (out.x || out.v || out.F || out.sigma) state = state_of(p, g_);
+    if (out.a || out.b) state.a = acceleration_of(p, g_, Q);
+    if (out.any_stress()) {
+      const Tensor B = p.axes();
+      if (out.P || out.sigma) stress.first_piola_kirchhoff = Q * B * (p.xi * response.tau_by_xi) * B.transpose();
+      if (out.sigma) stress.cauchy = cauchy_stress(stress.first_piola_kirchhoff, state.F);
+      if (out.b || out.static_force) stress.static_force = static_force(p, Q, B, response);
+      stress.body_force = state.a + stress.static_force;
+    }
+    out.put(point, found);
+  }
+
+  Vector3 displacement_of(const MeridianPoint& p) const {
+    return p.rotation(g_.value * p.profile.h) * p.radial - p.radial;
   }
 
   /// Of n points that lie in a vortex.
@@ -175,23 +177,26 @@ class MeridianSlice final : public ExactSlice {
 class MeridianPlaces final : public ExactPlaces {
  public:
   MeridianPlaces(const VortexFinder& finder, std::vector<Vector3> X) : ExactPlaces(std::move(X)) {
+    place_.reserve(size()), moved_.reserve(size());
     for (std::size_t p = 0; p < size(); ++p) {
       const auto place = finder.place(this->X(p));
       place_.push_back(place ? static_cast<std::uint32_t>(moved_.size()) : nowhere);
       if (place) moved_.push_back(*place);
     }
-    for (std::size_t p = 0; p < size(); ++p) order_.push_back(static_cast<std::uint32_t>(p));
+    std::vector<std::pair<double, std::uint32_t>> by_xi;
+    order_.reserve(size());
     for (std::size_t begin = 0; begin < size(); begin += at_once) {  // neighbours in xi are of one range of a sheet
-      const auto first = order_.begin() + static_cast<std::ptrdiff_t>(begin);
-      const auto xi = [&](std::uint32_t p) { return place_[p] == nowhere ? -1 : moved_[place_[p]].xi; };
-      std::stable_sort(first, first + static_cast<std::ptrdiff_t>(std::min(at_once, size() - begin)),
-                       [&](std::uint32_t a, std::uint32_t b) { return xi(a) < xi(b); });
+      by_xi.clear();
+      for (std::size_t p = begin; p < std::min(begin + at_once, size()); ++p) {
+        by_xi.emplace_back(place_[p] == nowhere ? -1 : moved_[place_[p]].xi, static_cast<std::uint32_t>(p));
+      }
+      std::sort(by_xi.begin(), by_xi.end());
+      for (const auto& [xi, p] : by_xi) order_.push_back(p);
     }
   }
 
   void evaluate(const ExactSlice& slice, std::size_t first, std::size_t count, const FieldViews& out) const override {
     const auto& now = static_cast<const MeridianSlice&>(slice);
-    const bool forces_alone = !out.x && !out.v && !out.a && !out.F && !out.P && !out.sigma;
     std::vector<double> xi;
     std::vector<std::size_t> points;
     for (std::size_t begin = first / at_once * at_once; begin < first + count; begin += at_once) {
@@ -209,11 +214,15 @@ class MeridianPlaces final : public ExactPlaces {
       if (out.any_stress()) responses = now.responses(xi);
       responses.resize(points.size());
       for (std::size_t i = 0; i < points.size(); ++i) {
-        const MeridianPoint& place = moved_[place_[points[i]]];
-        forces_alone ? now.put_forces(place, responses[i], points[i] - first, out)
-                     : out.put(points[i] - first, now.point_of(place, responses[i]));
+        now.put(moved_[place_[points[i]]], responses[i], points[i] - first, out);
       }
     }
+  }
+
+  bool moves(const ExactSlice&, std::size_t point) const override { return place_[point] != nowhere; }
+  Vector3 displacement(const ExactSlice& now, std::size_t point) const override {
+    if (place_[point] == nowhere) return Vector3::Zero();
+    return static_cast<const MeridianSlice&>(now).displacement_of(moved_[place_[point]]);
   }
 
  private:

@@ -71,6 +71,9 @@ class ExactPlaces {
   /// these places. Throws MaterialFailure.
   virtual void evaluate(const ExactSlice& now, std::size_t first, std::size_t count, const FieldViews& out) const;
 
+  virtual bool moves(const ExactSlice& now, std::size_t point) const { return now.moves(X_[point]); }
+  virtual Vector3 displacement(const ExactSlice& now, std::size_t point) const { return now.displacement(X_[point]); }
+
  private:
   std::vector<Vector3> X_;
 };

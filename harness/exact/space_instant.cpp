@@ -11,17 +11,24 @@ std::vector<Vector3> SpaceInstant::some(std::size_t begin, std::size_t end) cons
 }
 
 SpaceInstant::Window SpaceInstant::window(std::size_t begin, std::size_t end) const {
+  return window_of(begin, solution_->places(some(begin, end)));
+}
+
+SpaceInstant::Window SpaceInstant::window(const Window& same) const { return window_of(same.begin_, same.places_); }
+
+SpaceInstant::Window SpaceInstant::window_of(std::size_t begin, std::shared_ptr<const ExactPlaces> places) const {
+  const std::size_t count = places->size();
   Window window;
   window.now_ = now_.get();
-  window.points_ = &points_;
+  window.places_ = std::move(places);
   window.begin_ = begin;
-  window.fields_.resize(end - begin);
+  window.fields_.resize(count);
   FieldViews views = PointFields::views(window.fields_.data());
   views.b = views.static_force = {};
   if (!asked_.stress) views.P = views.sigma = {};
   if (!asked_.inertia) views.a = {};
   if (!asked_.motion && !asked_.stress) views.x = views.v = views.F = {};
-  solution_->places(some(begin, end))->evaluate(*now_, 0, end - begin, views);
+  window.places_->evaluate(*now_, 0, count, views);
   return window;
 }
 
@@ -41,7 +48,7 @@ SpaceInertia SpaceInstant::Window::inertia(std::size_t point) const {
 }
 
 std::array<double, 3> SpaceInstant::Window::displacement(std::size_t point) const {
-  const Vector3 u = now_->displacement(X(point));
+  const Vector3 u = places_->displacement(*now_, point - begin_);
   return {u.x(), u.y(), u.z()};
 }
 

@@ -37,20 +37,22 @@ class SpaceInstant {
     SpaceInertia inertia(std::size_t point) const;                                                ///< of inertia
     std::array<double, 3> acceleration(std::size_t point) const { return at(point).a; }  ///< of inertia [m/s^2]
     std::array<double, 3> displacement(std::size_t point) const;  ///< in the body's own frame [m]
-    bool moves(std::size_t point) const { return now_->moves(X(point)); }
+    bool moves(std::size_t point) const { return places_->moves(*now_, point - begin_); }
     double measure(std::size_t point, const std::array<double, 9>& F) const;  ///< ExactSlice::measure
 
    private:
     friend class SpaceInstant;
     const PointFields& at(std::size_t point) const { return fields_[point - begin_]; }
-    Vector3 X(std::size_t point) const { return {(*points_)[0][point], (*points_)[1][point], (*points_)[2][point]}; }
+    const Vector3& X(std::size_t point) const { return places_->X(point - begin_); }
 
     const ExactSlice* now_ = nullptr;
-    const Points* points_ = nullptr;
+    std::shared_ptr<const ExactPlaces> places_;
     std::size_t begin_ = 0;
     std::vector<PointFields> fields_;
   };
   Window window(std::size_t begin, std::size_t end) const;
+  /// Of the same points, and of an instant of the same solution at another time.
+  Window window(const Window& same) const;
 
   /// b of points begin .. end - 1: component d of point p at b[d][p] [m/s^2].
   void body_force(std::size_t begin, std::size_t end, const std::array<double*, 3>& b) const;
@@ -59,6 +61,7 @@ class SpaceInstant {
 
  private:
   std::vector<Vector3> some(std::size_t begin, std::size_t end) const;
+  Window window_of(std::size_t begin, std::shared_ptr<const ExactPlaces> places) const;
 
   ExactSolutionPtr solution_;
   Points points_;

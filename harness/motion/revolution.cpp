@@ -32,7 +32,7 @@ double rest_of(double x, double a) { return (a - x) * (a + x) / (a * a); }
 /// h = q^m with s^2 = ((R - R0)^2 + Z^2)/a^2.
 std::optional<MeridianProfile> round_profile(double R, double Z, double R0, double a, int m) {
   const double from = R - R0;
-  const auto f = power_of(rest_of(std::hypot(from, Z), a), m);
+  const auto f = power_of(rest_of(std::sqrt(from * from + Z * Z), a), m);
   if (!f) return std::nullopt;
   const double scale = 2 / (a * a), s_R = scale * from, s_Z = scale * Z;  // derivatives of s^2
   return MeridianProfile{f->value,

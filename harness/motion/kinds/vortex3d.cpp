@@ -23,11 +23,11 @@ Tensor MeridianPoint::axes() const {
 
 namespace {
 
-/// Absent outside the vortex.
-std::optional<MeridianPoint> place_in(const Revolution& vortex, const Vector3& X) {
+/// Absent outside the vortex. E_Z: along its axis [1].
+std::optional<MeridianPoint> place_in(const Revolution& vortex, const Vector3& E_Z, const Vector3& X) {
   MeridianPoint p;
   p.center = vortex.center;
-  p.E_Z = unit_along(vortex.axis);
+  p.E_Z = E_Z;
   const Vector3 from = X - p.center;
   p.Z = from.dot(p.E_Z);
   p.radial = from - p.Z * p.E_Z;
@@ -36,7 +36,7 @@ std::optional<MeridianPoint> place_in(const Revolution& vortex, const Vector3& X
   if (!profile) return std::nullopt;
   p.profile = *profile;
   const double h_R = p.R * profile->h_R_by_R;
-  p.G = std::hypot(h_R, profile->h_Z);
+  p.G = std::sqrt(h_R * h_R + profile->h_Z * profile->h_Z);
   if (p.G > 0) p.c = h_R / p.G, p.s = profile->h_Z / p.G;
   p.xi = 0.5 * p.R * p.G;
   return p;
@@ -45,13 +45,16 @@ std::optional<MeridianPoint> place_in(const Revolution& vortex, const Vector3& X
 }  // namespace
 
 VortexFinder::VortexFinder(const Vortex3d& motion)
-    : vortices_(motion.all().begin(), motion.all().end()), boxes_(vortices_) {}
+    : vortices_(motion.all().begin(), motion.all().end()), boxes_(vortices_) {
+  for (const Revolution& vortex : vortices_) along_.push_back(unit_along(vortex.axis));
+}
 
 std::optional<MeridianPoint> VortexFinder::place(const Vector3& X) const {
+  if (vortices_.size() == 1) return place_in(vortices_[0], along_[0], X);
   std::optional<MeridianPoint> found;
   boxes_.around(X, [&](std::size_t k) {
     if (found && found->vortex < k) return;
-    if (auto here = place_in(vortices_[k], X)) found = here, found->vortex = k;
+    if (auto here = place_in(vortices_[k], along_[k], X)) found = here, found->vortex = k;
   });
   return found;
 }
@@ -59,7 +62,7 @@ std::optional<MeridianPoint> VortexFinder::place(const Vector3& X) const {
 std::optional<MeridianPoint> Vortex3d::place(const Vector3& X) const {
   const std::span<const Revolution> vortices_here = all();
   for (std::size_t k = 0; k < vortices_here.size(); ++k) {
-    auto found = place_in(vortices_here[k], X);
+    auto found = place_in(vortices_here[k], unit_along(vortices_here[k].axis), X);
     if (!found) continue;
     found->vortex = k;
     return found;

@@ -74,6 +74,7 @@ class VortexFinder {
 
  private:
   std::vector<Revolution> vortices_;
+  std::vector<Vector3> along_;  ///< their axes [1]
   BodyBoxes boxes_;
 };
 

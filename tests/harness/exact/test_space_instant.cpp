@@ -103,6 +103,25 @@ TEST(SpaceInstant, SaysOfItsPointsWhatTheSolutionSaysOfEachAlone) {
   }
 }
 
+TEST(SpaceInstant, AWindowServesAnotherTimeToo) {
+  for (const auto& [name, exact] : seen_solutions()) {
+    SpaceInstant now(exact, points, {.stress = true}), later(exact, points, {.motion = true});
+    now.set_time(0.2), later.set_time(last);
+    const std::size_t n = X.size();
+    const auto first = now.window(1, n), same = later.window(first), own = later.window(1, n);
+    for (std::size_t p = 1; p < n; ++p) {
+      const std::string where = name + ", point " + std::to_string(p);
+      EXPECT_EQ(same.state(p).x, own.state(p).x) << where;
+      EXPECT_EQ(same.velocity(p), own.velocity(p)) << where;
+      if (same.moves(p)) EXPECT_NE(same.state(p).x, first.state(p).x) << where;
+      for (const auto& [window, instant] : {std::pair{&first, &now}, {&same, &later}}) {
+        EXPECT_EQ(window->moves(p), instant->slice().moves(place(p))) << where;
+        EXPECT_LT(distance(window->displacement(p), instant->slice().displacement(place(p))), of_rounding) << where;
+      }
+    }
+  }
+}
+
 // By differences of the acceleration itself, whatever the formula.
 TEST(SpaceInstant, TheGradientOfTheAccelerationIsThatOfItsDifferences) {
   for (const auto& [name, exact] : seen_solutions()) {
