@@ -140,8 +140,9 @@ std::vector<mpm::Method> chosen_methods(const std::string& name) {
     if (name_of(method) == name) return {method};
     names.push_back(name_of(method));
   }
-  throw InputError({}, "--methods",
-                   unknown("method '" + one_line(name, 60) + "'", name, names) + "; --methods alone prints them all");
+  throw InputError(
+      {}, "--methods",
+      unknown("method '" + one_line(name, 60) + "'", name, names) + "; --methods --verbose prints them all");
 }
 
 template <int Dim>

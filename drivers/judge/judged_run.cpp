@@ -146,6 +146,15 @@ JudgedFrame frame_of(const ParticleTable& table, const JudgeMap& map, std::vecto
   return frame;
 }
 
+void require_three(const ParticleTable& table, const JudgeMap& map) {
+  for (const Judged vector : {Judged::X, Judged::x, Judged::u, Judged::v}) {
+    const Components of(table, map.names(vector), word_of(vector));
+    if (of.count() == 2)
+      throw InputError({table.file, 0, 0}, word_of(vector),
+                       "has two components, and the scene has three dimensions: name the third too");
+  }
+}
+
 /// Half of the last digit that numbers are written with: the fewest digits that some of them all have, or those of
 /// single precision.
 double rounding_of(const ParticleTable& table, const JudgeMap& map) {
@@ -190,7 +199,7 @@ std::vector<std::string> unread_of(const ParticleTable& table, const JudgeMap& m
 
 }  // namespace
 
-JudgedRun read_judged_run(const std::string& name, const JudgeMap& map) {
+JudgedRun read_judged_run(const std::string& name, const JudgeMap& map, int dimension) {
   JudgedRun run;
   run.name = name, run.map = map;
   run.map.seeds = seeds_file_of(name, map.seeds);
@@ -200,6 +209,7 @@ JudgedRun read_judged_run(const std::string& name, const JudgeMap& map) {
   bool complete = false;
   const auto take = [&](ParticleTable&& table) {
     if (!complete) complete_map(run.map, table);
+    if (!complete && dimension == 3) require_three(table, run.map);
     run.rounding = std::max(run.rounding, map.length * rounding_of(table, run.map));
     auto rows_of_times = time_of(table, number);
     if (!complete) run.unread = unread_of(table, run.map, time_of.column());

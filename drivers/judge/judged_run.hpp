@@ -38,8 +38,8 @@ struct JudgedRun {
 };
 
 /// A file, or a folder with one file a time; where that has a collection (.pvd), the files that it names. Throws
-/// InputError.
-JudgedRun read_judged_run(const std::string& run, const JudgeMap& map);
+/// InputError. dimension: of the scene; vectors have as many components, or three.
+JudgedRun read_judged_run(const std::string& run, const JudgeMap& map, int dimension = 2);
 
 /// id and X of the particles, and their volumes where they are there, from a file as the map names them.
 JudgedFrame read_seeds(const std::string& file, const JudgeMap& map);

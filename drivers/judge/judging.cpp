@@ -116,7 +116,7 @@ JudgeFindings findings_of(Scene scene, const JudgeTask& task) {
   double end = scene.time.end;
   bool stress = false;
   for (const std::string& name : task.runs) {
-    runs.push_back(read_judged_run(name, task.map));
+    runs.push_back(read_judged_run(name, task.map, dimension));
     stress = stress || !runs.back().frames.back().sigma.empty();
     stop_if_interrupted();
   }

@@ -185,7 +185,11 @@ std::string pictures_section(const std::vector<ReportPicture>& pictures) {
 LinePlot error_history_plot(const std::vector<ErrorSample>& history) {
   Series l2{"L_{2}", {}, {}}, linf{"L_{\u221e}", {}, {}}, rms{"rms over all particles", {}, {}};
   rms.dashed = true;
+  constexpr double seen = 1e-6;  // of the largest; at t = 0 there is rounding alone, which would stretch the axis
+  double largest = 0;
+  for (const ErrorSample& sample : history) largest = std::max(largest, sample.displacement.l2);
   for (const ErrorSample& sample : history) {
+    if (&sample == &history.front() && sample.displacement.l2 < seen * largest) continue;
     for (Series* series : {&l2, &linf, &rms}) series->x.push_back(sample.t);
     l2.y.push_back(sample.displacement.l2);
     linf.y.push_back(sample.displacement.linf);

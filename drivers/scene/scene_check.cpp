@@ -104,7 +104,7 @@ class SceneCheck {
     refuse_if(ring_ && !is_vortex(scene_.motion) && scene_.method, "dimension",
               "must be 2 for motion.type " + motion_type(scene_) + " with a method: its ring has no lattice in space");
     for (std::size_t d = 0; d < 3; ++d) {
-      const bool may = scene_.motion->may_repeat() || (d == 2 && scene_.motion->is_plane() && !scene_.frame);
+      const bool may = scene_.motion->may_repeat() || (d == 2 && scene_.motion->is_plane());
       refuse_if(body.is_periodic(d) && !may, "body.periodic",
                 motion_type(scene_) + " does not repeat along " + std::string(1, "xyz"[d]));
     }

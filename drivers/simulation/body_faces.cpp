@@ -84,6 +84,17 @@ mpm::TractionForm stable_form(const Scene& scene) {
   return most >= 0 ? mpm::TractionForm::reference : mpm::TractionForm::follower;
 }
 
+/// Ends stay with the grid, and a frame takes the body away from them. Where the motion bears tractions, these act on
+/// the faces that would be symmetry planes.
+void require_no_ends(const Scene& scene, std::size_t d, double lower, double upper) {
+  const std::string along(1, "xyz"[d]);
+  if (scene.body.is_periodic(d))
+    refuse(scene, "frame", "moves the body against its periodic ends along " + along + ", which stay with the grid");
+  const bool is_plane = scene.motion->is_symmetry_plane(d, lower) || scene.motion->is_symmetry_plane(d, upper);
+  if (is_plane && !scene.motion->bears_tractions())
+    refuse(scene, "frame", "moves the body against its symmetry planes across " + along + ", which stay with the grid");
+}
+
 }  // namespace
 
 template <int Dim>
@@ -92,7 +103,9 @@ std::array<mpm::AxisEnds, Dim> ends_of(const Scene& scene) {
   if (scene.body.is_vortex_alone() || (Dim == 2 && ring_of(scene.motion))) return ends;
   const auto box = body_box<Dim>(scene);
   for (std::size_t d = 0; d < Dim; ++d) {
-    if (scene.body.is_periodic(d)) {
+    if (scene.frame) {
+      require_no_ends(scene, d, box.lower[d], box.upper[d]);
+    } else if (scene.body.is_periodic(d)) {
       require_period(scene, d, box.upper[d] - box.lower[d]);
       ends[d] = {box.lower[d], box.upper[d], true};
     } else {

@@ -178,12 +178,23 @@ class Run {
     if (sampler_) {
       result_.error =
           figures_of(result_.history, 0.5 * problem_.period(), problem_.scene.time.end, largest_displacement_);
+      if (compares_nothing()) {
+        result_.warnings.push_back(
+            "the exact displacement is zero whenever the error is sampled, and a method that does not move the body "
+            "passes: give the motion an amplitude");
+      }
     }
     if (problem_.setup.traction) result_.growth = growth_of(result_.history);
     if (result_.growth) result_.warnings.push_back(growth_sentence(*result_.growth, problem_.setup.traction->form));
     if (accounts_) result_.drift = accounts_->drift();
     result_.health = health_.figures();
     for (const std::string& sentence : health_.sentences()) result_.warnings.push_back(sentence);
+  }
+
+  bool compares_nothing() const {
+    constexpr double rounding = 1e-12;  // of a cell
+    const bool ended = !result_.history.empty() && result_.history.back().t >= 0.5 * problem_.scene.time.end;
+    return ended && !problem_.scene.frame && largest_displacement_ <= rounding * problem_.scene.grid->spacing;
   }
 
   ProblemIn<Dim>& problem_;

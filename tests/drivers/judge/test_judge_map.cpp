@@ -88,6 +88,23 @@ TEST_F(JudgeMaps, LengthsAreInMetres) {
   EXPECT_DOUBLE_EQ(run.frames[1].v[0].x(), 5);  // mm/ms
 }
 
+TEST_F(JudgeMaps, VectorsHaveThreeComponentsInSpace) {
+  const auto read = [&](const std::string& header, int dimension) {
+    std::string row = "0";
+    for (std::size_t c = 1; c < std::size_t(1 + std::ranges::count(header, ',')); ++c) row += ",1";
+    scratch_.write("run.csv", header + "\n" + row + "\n");
+    return refusal_of([&] { read_judged_run(scratch_ / "run.csv", map("code: a\n"), dimension); });
+  };
+  for (const auto& [header, flat] : {std::pair{"t,id,X,Y,x,y", "X"}, {"t,id,X,Y,Z,x,y", "x"}, {"t,id,x,y,z,vx,vy", "v"},
+                                     {"t,id,X,Y,Z,ux,uy", "u"}}) {
+    EXPECT_NE(read(header, 3).find(std::string(flat) + ": has two components, and the scene has three dimensions"),
+              std::string::npos)
+        << header << ": " << read(header, 3);
+    EXPECT_EQ(read(header, 2), "accepted") << header;
+  }
+  EXPECT_EQ(read("t,id,X,Y,Z,x,y,z,vx,vy,vz", 3), "accepted");
+}
+
 TEST_F(JudgeMaps, EachRunHasItsOwnSeeds) {
   const auto seeds_of_run = [&](const std::string& run, const std::string& seeds) {
     const JudgedRun read =

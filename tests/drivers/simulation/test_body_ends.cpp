@@ -42,6 +42,31 @@ TEST(BodyEnds, AreRefusedWhereTheBodyCannotHaveThem) {
   EXPECT_EQ(refused_box("bar_1d", {"body.periodic=y"}), "accepted");
 }
 
+// Ends stay with the grid, and a frame takes the body away from them.
+TEST(BodyEnds, AreNoneOfABodyThatAFrameMoves) {
+  const auto in_space = [](const std::string& scene, std::vector<std::string> sets) {
+    const std::string path = std::string(ASSAY_SOURCE_DIR) + "/configs/space/" + scene + ".yaml";
+    return read_scene(path, sets);
+  };
+  const auto refused = [&](const std::string& scene, const std::vector<std::string>& sets) {
+    return refusal_of([&] { assemble<3>(in_space(scene, sets), 1); });
+  };
+  for (const std::string& frame : {"{angle: 0.3}", "{spin: 0.3}", "{velocity: [1, 0]}"}) {
+    const std::string set = "frame=" + frame;
+    const ProblemIn<3> box = assemble<3>(in_space("axis_aligned", {set}), 1);
+    for (const auto& axis : box.setup.ends) EXPECT_FALSE(axis.any()) << frame;
+    EXPECT_TRUE(box.setup.traction) << frame;
+    EXPECT_NE(refused("axis_aligned", {set, "body.upper=[2, 2, 2]", "body.periodic=all"})
+                  .find("frame: moves the body against its periodic ends along x, which stay with the grid"),
+              std::string::npos)
+        << frame;
+  }
+  const std::string turned = "frame={angle: 0.3}", ends = refused("slab", {turned}),
+                    planes = refused("slab", {turned, "body.periodic=none"});
+  EXPECT_NE(ends.find("frame: moves the body against its periodic ends along z"), std::string::npos) << ends;
+  EXPECT_NE(planes.find("frame: moves the body against its symmetry planes across z"), std::string::npos) << planes;
+}
+
 // Of a face that bears tractions, and where none does.
 TEST(BodyEnds, TractionsActOnTheOtherFaces) {
   const Problem whole = assemble(box_scene("axis_aligned", {}), 1);

@@ -45,6 +45,16 @@ TEST(ErrorOfStress, IsRelativeToTheModulusWhateverItsSize) {
   for (const char* size : {"1e-290", "1e-160", "1e160", "1e290"}) EXPECT_NEAR(stress(size) / usual, 1, 1e-9) << size;
 }
 
+TEST(ZeroMotion, IsWarnedOf) {
+  const auto warned = [](const std::string& set) {
+    const auto result =
+        result_of_run("paper/vortex_cpdi", {"grid.spacing=0.125", "output.particles=0", "output.pictures=false", set});
+    return result["warnings"].dump().find("the exact displacement is zero") != std::string::npos;
+  };
+  EXPECT_TRUE(warned("motion.amplitude.peak=0"));
+  EXPECT_FALSE(warned("output.errors=1"));
+}
+
 TEST(PeakMemory, GrowsWithWhatIsTouched) {
   const std::int64_t before = peak_memory();
   EXPECT_GT(before, 1 << 20);

@@ -23,6 +23,28 @@ std::string warnings_in(const std::string& scene) {
   return all;
 }
 
+TEST(Warnings, SaysThatAVortexIsThinInItsGrid) {
+  const auto said = [](const std::string& vortex, const std::string& spacing, const std::string& more = "") {
+    const std::string scene = "motion: {type: vortex3d, " + vortex +
+                              ", amplitude: {peak: 0.1}}\n"
+                              "material: {adapter: neo_hookean, parameters: {E: 1e3, nu: 0.3}, density: 1000}\n"
+                              "body: {domain: vortex}\nmethod: {basis: cpdi}\ngrid: {spacing: " +
+                              spacing + "}\n" + more;
+    std::string all;
+    for (const std::string& sentence : warnings_of(assemble<3>(scene_from_text(scene, "f.yaml", {}), 1)))
+      all += sentence;
+    return all;
+  };
+  const std::string drum = "profile: drum, height: 0.13", torus = "profile: torus, radius: 0.25, ring_radius: 1";
+  EXPECT_NE(said(drum, "0.125").find("a vortex is 0.26 m thick, which is 2.1 cells: errors may be as large"),
+            std::string::npos);
+  EXPECT_NE(said(drum, "0.125").find("force.evaluation: domain_average"), std::string::npos);
+  EXPECT_EQ(said(drum, "0.125", "force: {evaluation: domain_average}\n").find("force.evaluation"), std::string::npos);
+  EXPECT_NE(said(torus, "0.2").find("0.5 m thick"), std::string::npos);
+  EXPECT_EQ(said(torus, "0.125"), "");
+  EXPECT_EQ(said("profile: ball", "0.25"), "");
+}
+
 TEST(Warnings, SaysThatAStepIsTooLongToBeStable) {
   EXPECT_EQ(warnings_in(scene_and("")), "");
   EXPECT_EQ(warnings_in(scene_and("time: {step: 0.01}\n")), "");
