@@ -9,6 +9,7 @@
 #include "drivers/simulation/health.hpp"
 #include "drivers/simulation/stress_offload.hpp"
 #include "drivers/simulation/time_steps.hpp"
+#include "drivers/simulation/warnings.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/text/numbers.hpp"
 #include "mpm/simulation.hpp"
@@ -112,8 +113,7 @@ class Run {
   /// The step of the plan that has been taken by a time.
   std::int64_t planned_step(double t) const {
     constexpr double rounding = 1e-6;  // of a step
-    return t >= problem_.scene.time.end ? problem_.steps
-                                        : static_cast<std::int64_t>(std::floor(t / problem_.dt + rounding));
+    return t >= problem_.scene.time.end ? problem_.steps : std::int64_t(std::floor(t / problem_.dt + rounding));
   }
 
   /// What is due after one of the steps (before, now] of the plan, at time t.
@@ -131,7 +131,7 @@ class Run {
     if (sample) {
       const ErrorSample found = sampler_->sample(simulation_.state(), t, simulation_.velocity_time());
       if (due(due_.samples)) result_.history.push_back(found);
-      largest_displacement_ = std::max(largest_displacement_, sampler_->exact_displacement());
+      farthest_ = std::max(farthest_, sampler_->exact_displacement());
       sampling_s_ += seconds_since(start);
     }
     start = Clock::now();
@@ -172,29 +172,18 @@ class Run {
     }
     if (workers_) result_.passes.push_back({"isolation", workers_->hand_over_s(), 0});
     result_.observed_s = sampling_s_ + output_s_;
-    if (sampler_) result_.passes.push_back({"error_sampling", sampling_s_, 0});
+    if (sampler_) {
+      result_.passes.push_back({"error_sampling", sampling_s_, 0});
+      result_.error = figures_of(result_.history, 0.5 * problem_.period(), problem_.scene.time.end, farthest_);
+      warn_of_stillness(problem_, farthest_, result_);
+    }
     if (!due_.shots.empty()) result_.passes.push_back({"snapshots", output_s_, 0});
     if (stepping > 0) result_.particle_steps_per_s = static_cast<double>(result_.particle_steps) / stepping;
-    if (sampler_) {
-      result_.error =
-          figures_of(result_.history, 0.5 * problem_.period(), problem_.scene.time.end, largest_displacement_);
-      if (compares_nothing()) {
-        result_.warnings.push_back(
-            "the exact displacement is zero whenever the error is sampled, and a method that does not move the body "
-            "passes: give the motion an amplitude");
-      }
-    }
     if (problem_.setup.traction) result_.growth = growth_of(result_.history);
     if (result_.growth) result_.warnings.push_back(growth_sentence(*result_.growth, problem_.setup.traction->form));
     if (accounts_) result_.drift = accounts_->drift();
     result_.health = health_.figures();
     for (const std::string& sentence : health_.sentences()) result_.warnings.push_back(sentence);
-  }
-
-  bool compares_nothing() const {
-    constexpr double rounding = 1e-12;  // of a cell
-    const bool ended = !result_.history.empty() && result_.history.back().t >= 0.5 * problem_.scene.time.end;
-    return ended && !problem_.scene.frame && largest_displacement_ <= rounding * problem_.scene.grid->spacing;
   }
 
   ProblemIn<Dim>& problem_;
@@ -208,7 +197,7 @@ class Run {
   std::optional<ErrorSampler<Dim>> sampler_;
   std::optional<Accounts<Dim>> accounts_;
   Observations due_;
-  double sampling_s_ = 0, output_s_ = 0, observing_cpu_s_ = 0, largest_displacement_ = 0;
+  double sampling_s_ = 0, output_s_ = 0, observing_cpu_s_ = 0, farthest_ = 0;  ///< the last: exact [m]
 };
 
 }  // namespace

@@ -225,6 +225,15 @@ std::vector<std::string> warnings_of(const ProblemIn<Dim>& problem) {
   return all;
 }
 
+void warn_of_stillness(const PosedScene& problem, double largest_displacement, Result& result) {
+  constexpr double rounding = 1e-12;  // of a cell
+  const bool ended = !result.history.empty() && result.history.back().t >= 0.5 * problem.scene.time.end;
+  if (!ended || problem.scene.frame || largest_displacement > rounding * problem.scene.grid->spacing) return;
+  result.warnings.push_back(
+      "the exact displacement is zero whenever the error is sampled, and a method that does not move the body passes: "
+      "give the motion an amplitude");
+}
+
 std::vector<Interval> zones_beyond(const Vortex& vortex, std::span<const double> fronts) {
   Interval first{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const double front : fronts) {

@@ -47,6 +47,9 @@ std::vector<std::string> warnings_of(const ProblemIn<Dim>& problem);
 
 // After the run.
 
+/// Adds a sentence where the exact motion has not moved the body whenever the error was sampled.
+void warn_of_stillness(const PosedScene& problem, double largest_displacement, Result& result);
+
 /// What lives through more of the hard cases (docs/hard.md, bench/results/hard) than the method of this run; empty
 /// where nothing does. reason: of which it died.
 template <int Dim>

@@ -113,8 +113,9 @@ TEST(CheckMethods, WritesJsonAloneOnStandardOutputAndOfOneMethodThatAlone) {
 TEST(CheckMethods, AnUnknownMethodNamesTheNearest) {
   const Ending ending = assay({"check", "--methods", "cpdi/flap/usl"});
   EXPECT_EQ(ending.status, 2);
-  EXPECT_EQ(ending.said,
-            "--methods: unknown method 'cpdi/flap/usl' (nearest: cpdi/flip/usl); --methods --verbose prints them all\n");
+  EXPECT_EQ(
+      ending.said,
+      "--methods: unknown method 'cpdi/flap/usl' (nearest: cpdi/flip/usl); --methods --verbose prints them all\n");
 }
 
 TEST(CheckMethods, MarkdownAloneGoesToStandardOutput) {

@@ -95,7 +95,9 @@ TEST_F(JudgeMaps, VectorsHaveThreeComponentsInSpace) {
     scratch_.write("run.csv", header + "\n" + row + "\n");
     return refusal_of([&] { read_judged_run(scratch_ / "run.csv", map("code: a\n"), dimension); });
   };
-  for (const auto& [header, flat] : {std::pair{"t,id,X,Y,x,y", "X"}, {"t,id,X,Y,Z,x,y", "x"}, {"t,id,x,y,z,vx,vy", "v"},
+  for (const auto& [header, flat] : {std::pair{"t,id,X,Y,x,y", "X"},
+                                     {"t,id,X,Y,Z,x,y", "x"},
+                                     {"t,id,x,y,z,vx,vy", "v"},
                                      {"t,id,X,Y,Z,ux,uy", "u"}}) {
     EXPECT_NE(read(header, 3).find(std::string(flat) + ": has two components, and the scene has three dimensions"),
               std::string::npos)
