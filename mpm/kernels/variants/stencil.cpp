@@ -35,6 +35,30 @@ ASSAY_INLINE void multiply_alike(const StencilRows<ASSAY_DIMENSION>& rows, std::
   for (std::size_t p = 0; p < Packs; ++p) store<lanes>(to + lanes * p, sum[p]);
 }
 
+/// Number k of the rows of a pack, for each of its numbers.
+template <int Dim>
+ASSAY_INLINE auto of_rows(const double* values, std::size_t k) {
+  if constexpr (rows_at_once<Dim> == 1) {
+    return values[k];
+  } else {
+    Pack<GridField<Dim>::stride * rows_at_once<Dim>> twice;
+    load_twice(twice, values + rows_at_once<Dim> * k);
+    return twice;
+  }
+}
+
+/// A row each.
+template <int Dim>
+ASSAY_INLINE void multiply_own(const StencilRows<Dim>& rows, std::size_t i, double* to) {
+  const double* values = rows.row(i);
+  Pack<lanes> sum{}, x;
+  for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
+    load<lanes>(x, around(rows, i, k));
+    sum += of_rows<Dim>(values, k) * x;
+  }
+  store<lanes>(to, sum);
+}
+
 }  // namespace
 
 #if ASSAY_DIMENSION == 2
@@ -47,18 +71,6 @@ constexpr std::size_t packs_at_once = 4;
 #else
 constexpr std::size_t packs_at_once = 2;
 #endif
-
-/// A row each.
-ASSAY_INLINE void multiply_own(const StencilRows<2>& rows, std::size_t i, double* to) {
-  const double* values = rows.row(i);
-  Pack<lanes> sum{}, x, m;
-  for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
-    load<lanes>(x, around(rows, i, k));
-    load_twice(m, values + rows_at_once<2> * k);
-    sum += m * x;
-  }
-  store<lanes>(to, sum);
-}
 
 }  // namespace
 
@@ -92,17 +104,6 @@ constexpr std::size_t nodes_at_once = 8;
 constexpr std::size_t nodes_at_once = 4;
 #endif
 
-/// A row each.
-ASSAY_INLINE void multiply_own(const StencilRows<3>& rows, std::size_t i) {
-  const double* values = rows.row(i);
-  Pack<lanes> sum{}, x;
-  for (std::size_t k = 0; k < rows.offsets.size(); ++k) {
-    load<lanes>(x, around(rows, i, k));
-    sum += values[k] * x;
-  }
-  store<lanes>(rows.to + lanes * i, sum);
-}
-
 }  // namespace
 
 template <>
@@ -112,7 +113,7 @@ void multiply_rows<3>(const StencilRows<3>& rows) {
   for (; rows.alike && i + nodes_at_once <= rows.end; i += nodes_at_once)
     multiply_alike<nodes_at_once>(rows, i, rows.to + lanes * i);
   for (; rows.alike && i < rows.end; ++i) multiply_alike<1>(rows, i, rows.to + lanes * i);
-  for (; i < rows.end; ++i) multiply_own(rows, i);
+  for (; i < rows.end; ++i) multiply_own(rows, i, rows.to + lanes * i);
 }
 
 #endif
