@@ -81,7 +81,8 @@ void choose_forces(ProblemIn<Dim>& problem) {
   Scene& scene = problem.scene;
   mpm::Setup<Dim>& setup = problem.setup;
   const bool forced = scene.force.response != ForceChoice::Response::none;
-  setup.body_force = forced && (scene.motion->accelerates() || (scene.frame && scene.frame->spin != 0));  // Coriolis
+  const bool spins = scene.frame && scene.frame->spin != 0;  // Coriolis' and the centrifugal force act on any motion
+  setup.body_force = forced && (scene.motion->accelerates() || spins);
   problem.compared = forced;
   setup.traction = traction_of(scene);
   if (!setup.traction) setup.seeds.surface.clear();

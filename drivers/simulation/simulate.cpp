@@ -22,18 +22,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Steps after which something is due `count` times over the run.
-std::set<std::int64_t> schedule(const PosedScene& problem, int count) {
-  std::set<std::int64_t> due;
-  if (count <= 0) return due;
-  for (int k = 0; k <= count; ++k) {
-    due.insert(static_cast<std::int64_t>(std::llround(static_cast<double>(problem.steps) * k / count)));
-  }
-  const double half = 0.5 * problem.period();
-  if (half <= problem.scene.time.end) due.insert(std::llround(half / problem.dt));
-  return due;
-}
-
 /// How often what a snapshot shows is kept: a copy takes as long as a tenth of a step.
 constexpr std::int64_t fewest_steps_of_good = 64, most_goods = 200;
 
@@ -113,7 +101,8 @@ class Run {
   /// The step of the plan that has been taken by a time.
   std::int64_t planned_step(double t) const {
     constexpr double rounding = 1e-6;  // of a step
-    return t >= problem_.scene.time.end ? problem_.steps : std::int64_t(std::floor(t / problem_.dt + rounding));
+    return t >= problem_.scene.time.end ? problem_.steps
+                                        : static_cast<std::int64_t>(std::floor(t / problem_.dt + rounding));
   }
 
   /// What is due after one of the steps (before, now] of the plan, at time t.
@@ -131,7 +120,7 @@ class Run {
     if (sample) {
       const ErrorSample found = sampler_->sample(simulation_.state(), t, simulation_.velocity_time());
       if (due(due_.samples)) result_.history.push_back(found);
-      farthest_ = std::max(farthest_, sampler_->exact_displacement());
+      largest_displacement_ = std::max(largest_displacement_, sampler_->exact_displacement());
       sampling_s_ += seconds_since(start);
     }
     start = Clock::now();
@@ -174,8 +163,9 @@ class Run {
     result_.observed_s = sampling_s_ + output_s_;
     if (sampler_) {
       result_.passes.push_back({"error_sampling", sampling_s_, 0});
-      result_.error = figures_of(result_.history, 0.5 * problem_.period(), problem_.scene.time.end, farthest_);
-      warn_of_stillness(problem_, farthest_, result_);
+      result_.error =
+          figures_of(result_.history, 0.5 * problem_.period(), problem_.scene.time.end, largest_displacement_);
+      warn_of_stillness(problem_, largest_displacement_, result_);
     }
     if (!due_.shots.empty()) result_.passes.push_back({"snapshots", output_s_, 0});
     if (stepping > 0) result_.particle_steps_per_s = static_cast<double>(result_.particle_steps) / stepping;
@@ -197,25 +187,10 @@ class Run {
   std::optional<ErrorSampler<Dim>> sampler_;
   std::optional<Accounts<Dim>> accounts_;
   Observations due_;
-  double sampling_s_ = 0, output_s_ = 0, observing_cpu_s_ = 0, farthest_ = 0;  ///< the last: exact [m]
+  double sampling_s_ = 0, output_s_ = 0, observing_cpu_s_ = 0, largest_displacement_ = 0;
 };
 
 }  // namespace
-
-Observations observations_of(const PosedScene& problem) {
-  const OutputChoice& output = problem.scene.output;
-  const bool compared = problem.compared;
-  Observations due{schedule(problem, compared ? std::max(output.errors, 1) : 0),
-                   schedule(problem, output.particles > 0          ? output.particles
-                                     : output.pictures && compared ? 2
-                                                                   : 0),
-                   schedule(problem, output.accounts ? std::max(output.errors, 1) : 0)};
-  const double from = output.each_step_from.value_or(problem.scene.time.end);
-  for (std::int64_t k = problem.steps; output.each_step_from && k >= 0 && problem.time_of_step(k) >= from; --k) {
-    due.shots.insert(k);
-  }
-  return due;
-}
 
 template <int Dim>
 void simulate(ProblemIn<Dim>& problem, const ExactSolutionPtr& exact, Snapshots<Dim>& snapshots, Progress& progress,

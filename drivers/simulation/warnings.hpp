@@ -41,7 +41,7 @@ std::string long_motion_sentence(const ProblemIn<Dim>& problem);
 /// One sentence each: a motion that is very long against the waves in the body; fixed steps beyond a Courant number of
 /// 1; stress at rest, which free faces do not bear; a spline that goes beyond its rows; a body force that jumps at rows
 /// by more than steps of this length resolve; snapshots from a time on that is not reached; a density in t/mm^3; cells
-/// larger than the body; particles at the ends of splines.
+/// larger than the body; particles at the ends of splines; a vortex in space that is few cells thick.
 template <int Dim>
 std::vector<std::string> warnings_of(const ProblemIn<Dim>& problem);
 
