@@ -207,10 +207,11 @@ JudgedRun read_judged_run(const std::string& name, const JudgeMap& map, int dime
   TimeOf time_of(map.time);
   std::size_t number = 0;
   bool complete = false;
+  double rounding = HUGE_VAL;  // of the file that shows most digits: at rest on a lattice positions have few
   const auto take = [&](ParticleTable&& table) {
     if (!complete) complete_map(run.map, table);
     if (!complete && dimension == 3) require_three(table, run.map);
-    run.rounding = std::max(run.rounding, map.length * rounding_of(table, run.map));
+    if (const double here = rounding_of(table, run.map); here > 0) rounding = std::min(rounding, map.length * here);
     auto rows_of_times = time_of(table, number);
     if (!complete) run.unread = unread_of(table, run.map, time_of.column());
     complete = true;
@@ -228,6 +229,7 @@ JudgedRun read_judged_run(const std::string& name, const JudgeMap& map, int dime
   run.left_out = files.left_out;
   for (const std::string& file : files.files) read_particle_tables(file, take, map.columns);
   if (run.frames.empty()) throw InputError({name, 0, 0}, "", "holds no particles");
+  if (std::isfinite(rounding)) run.rounding = rounding;
   std::ranges::stable_sort(run.frames, {}, &JudgedFrame::t);
   run.time_words = time_of.words();
   return run;

@@ -88,6 +88,16 @@ TEST_F(JudgeMaps, LengthsAreInMetres) {
   EXPECT_DOUBLE_EQ(run.frames[1].v[0].x(), 5);  // mm/ms
 }
 
+TEST_F(JudgeMaps, DigitsAreThoseOfTheFileThatShowsMost) {
+  std::filesystem::create_directory(scratch_ / "digits");
+  scratch_.write("digits/p_0.csv", "id,X,Y,x,y\n1,1475,-25,1475,-25\n2,1425,25,1425,25\n");
+  scratch_.write("digits/p_1.csv", "id,X,Y,x,y\n1,1475,-25,1475.123456,-25.654321\n2,1425,25,1425.25,25.5\n");
+  const std::string times = "time: {from: name, pattern: 'p_(\\d+)', step: 1}\nunits: {length: mm}\n";
+  EXPECT_NEAR(read_judged_run(scratch_ / "digits", map(times)).rounding, 0.5e-9, 1e-12);  // of 1e-6 mm
+  scratch_.write("digits/p_1.csv", "id,X,Y,x,y\n1,1475,-25,1475.1,-25.6\n2,1425,25,1425.2,25.5\n");
+  EXPECT_NEAR(read_judged_run(scratch_ / "digits", map(times)).rounding, 0.5e-4, 1e-7);
+}
+
 TEST_F(JudgeMaps, VectorsHaveThreeComponentsInSpace) {
   const auto read = [&](const std::string& header, int dimension) {
     std::string row = "0";
