@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is looked for on the way of a controlled history: rows that do not determine it, limit loads, other solutions,
+// loss of ellipticity, and the stops of the control.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "harness/control/controlled_march.hpp"
+
+namespace assay {
+
+namespace {
+
+constexpr double undetermined = 1e-9;  ///< of a matrix at rest: smallest over largest singular value
+constexpr double singular = 1e-3;      ///< of a matrix, against that at rest
+constexpr double sure = 1e-4;          ///< of the determinant at rest: one whose sign is no rounding
+constexpr std::size_t most_branches = 20;
+constexpr double rest_step = 1e-6;                 ///< of the end [1]
+constexpr double along = 1e-5, difference = 2e-7;  ///< of F: a step along the path, and differences small against it
+constexpr double neutral = 1e-8;                   ///< of the largest acoustic eigenvalue at rest: a fluid
+constexpr double slowest = 1e-3;                   ///< of the end: the longest time of such a step
+constexpr int most_trials = 80;                    ///< for a crossing
+constexpr double resolution = 1e-12;               ///< of a piece, of a time that is looked for
+constexpr double sure_fall = 1e-9;                 ///< behind a peak, of the largest value
+constexpr double golden = 0.381966011250105;
+
+}  // namespace
+
+/// The matrix at rest, and the stiffness.
+void ControlledMarch::look_at_rest() {
+  const ControlMatrix matrix = steps_.matrix_at(now_, rest_step * control_.length(), now_);
+  rest_condition_ = matrix.condition();
+  rest_determinant_ = std::abs(matrix.determinant);
+  if (!(rest_condition_ > undetermined)) {
+    history_.outcome = ControlOutcome::undetermined;
+    history_.reason = "the rows leave a deformation free at rest";
+    history_.direction = matrix.direction;
+    rest_condition_ = 1;
+    ended_ = true;
+    return;
+  }
+  if (!options_.watch_ellipticity || material_.has(ASSAY_IN_PLANE)) return;
+  try {
+    const TangentModulus A =
+        probe_tangent_modulus(material_, now_.t, rest_step * control_.length(), now_.F, now_.state);
+    const double smallest = smallest_acoustic_eigenvalue(A).value;
+    if (smallest > neutral * largest_acoustic_eigenvalue(A).value) acoustic_at_rest_ = smallest;
+  } catch (const MaterialFailure&) {
+    acoustic_at_rest_ = 0;  // it does not bear differences at rest: nobody watches
+  }
+}
+
+/// By differences about a step taken in one, which stay on the branch that the step is on.
+void ControlledMarch::look_at_matrix(const Piece& piece, const ControlledPoint& before, double step) {
+  if (steps_.count() == 0) return;
+  const ControlMatrix matrix = steps_.matrix_at(before, piece.width * step, first_);
+  if (!(std::abs(matrix.determinant) > sure * rest_determinant_)) return;
+  if (determinant_ * matrix.determinant < 0 && history_.branches.size() < most_branches) {
+    history_.branches.push_back({now_.t, matrix.direction});
+  }
+  determinant_ = matrix.determinant;
+}
+
+/// Of the instantaneous modulus along the way on which the point came.
+AcousticExtreme ControlledMarch::acoustic_at(const ControlledPoint& before, const ControlledPoint& point) const {
+  const Tensor way = point.F - before.F;
+  const double length = way.norm(), time = point.t - before.t;
+  if (!(length > 0)) return {acoustic_at_rest_ * acoustic_, history_.normal};
+  const double dt = std::min(slowest * control_.length(), time * along / length);
+  const Tensor F1 = point.F + along / length * way;
+  return smallest_acoustic_eigenvalue(
+      probe_tangent_modulus(material_, point.t, std::max(dt, 1e-300), point.F, F1, point.state, difference));
+}
+
+void ControlledMarch::look_at_ellipticity(const Piece& piece, const ControlledPoint& before, double step) {
+  if (acoustic_at_rest_ == 0) return;
+  try {
+    AcousticExtreme found = acoustic_at(before, now_);
+    acoustic_ = found.value / acoustic_at_rest_;
+    if (acoustic_ > 0 || history_.loses_ellipticity) return;
+    ControlledPoint point = now_;
+    if (!piece.jump) {
+      point = at_crossing(piece, before, at_, step, [&](const ControlledPoint& at) {
+        return at.t <= before.t ? -1.0 : -acoustic_at(before, at).value / acoustic_at_rest_;
+      });
+      found = acoustic_at(before, point);
+    }
+    const double reached = std::exchange(acoustic_, found.value / acoustic_at_rest_);
+    history_.loses_ellipticity = point.t;
+    history_.normal = found.normal;
+    for (const ControlStop& stop : control_.stops) {
+      if (stop.when == ControlStop::When::loss_of_ellipticity) return stop_at(std::move(point), stop.name);
+    }
+    acoustic_ = reached;
+  } catch (const MaterialFailure&) {
+    acoustic_ = std::numeric_limits<double>::quiet_NaN();  // its own steps go a little beyond the path
+  }
+}
+
+void ControlledMarch::stop_at(ControlledPoint point, const std::string& why) {
+  now_ = std::move(point);
+  history_.outcome = ControlOutcome::stopped;
+  history_.reason = why;
+  write_row(now_);
+  ended_ = true;
+}
+
+/// The point on a step at which `past` becomes positive: false position, each trial a step of its own from `from`.
+ControlledPoint ControlledMarch::at_crossing(const Piece& piece, const ControlledPoint& from, double at, double step,
+                                             const std::function<double(const ControlledPoint&)>& past) {
+  double low = 0, high = step;
+  ControlledPoint best = now_;
+  double f_low = past(from), f_high = past(now_);
+  int side = 0;
+  for (int i = 0; i < most_trials && high - low > resolution && f_high != 0; ++i) {
+    double middle = (f_low * high - f_high * low) / (f_low - f_high);
+    if (!(middle > low && middle < high) || i > most_trials / 2) middle = 0.5 * (low + high);
+    const Attempt made = attempt(piece, from, at, middle);
+    if (made.end.state.size() != from.state.size() || made.outcome == Attempt::Outcome::failed) break;
+    const double f = past(made.end);
+    if (f >= 0) {
+      high = middle, f_high = f, best = made.end;
+      if (side == 1) f_low *= 0.5;  // Illinois
+      side = 1;
+    } else {
+      low = middle, f_low = f;
+      if (side == -1) f_high *= 0.5;
+      side = -1;
+    }
+  }
+  return best;
+}
+
+/// The point of a step with the highest value, if that is higher than the best so far: golden section.
+void ControlledMarch::raise(const Piece& piece, const ControlledPoint& from, double at, double step,
+                            const std::function<double(const ControlledPoint&)>& value, ControlledPoint& best) {
+  double low = 0, high = step;
+  for (int i = 0; i < most_trials && high - low > resolution; ++i) {
+    const double a = low + golden * (high - low), b = high - golden * (high - low);
+    const Attempt first = attempt(piece, from, at, a), second = attempt(piece, from, at, b);
+    if (first.outcome == Attempt::Outcome::failed || second.outcome == Attempt::Outcome::failed) return;
+    const bool left = value(first.end) >= value(second.end);
+    (left ? high : low) = left ? b : a;
+    const ControlledPoint& better = left ? first.end : second.end;
+    if (value(better) > value(best)) best = better;
+  }
+}
+
+/// Whether the step that was just accepted has reached one.
+bool ControlledMarch::meets_stop(const Piece& piece, const ControlledPoint& before, double at, double step) {
+  for (const ControlStop& stop : control_.stops) {
+    const auto value = [&](const ControlledPoint& point) { return value_of(stop.quantity, point); };
+    const double sign = stop.when == ControlStop::When::below ? -1 : 1;
+    if (stop.when == ControlStop::When::loss_of_ellipticity) continue;
+    if (stop.when == ControlStop::When::peak) {
+      double& highest = peaks_[static_cast<std::size_t>(&stop - control_.stops.data())];
+      const double reached = value(now_), scale = std::max(std::abs(highest), std::abs(reached));
+      if (!(reached < highest - sure_fall * scale)) {
+        highest = std::max(highest, reached);
+        continue;
+      }
+      ControlledPoint best = before;
+      if (earlier_.step > 0) raise(piece, earlier_.from, earlier_.at, earlier_.step, value, best);
+      raise(piece, before, at, step, value, best);
+      stop_at(best, stop.name);
+      return true;
+    }
+    const auto past = [&](const ControlledPoint& point) { return sign * (value(point) - stop.bound); };
+    if (past(now_) < 0) continue;
+    stop_at(past(before) >= 0 ? now_ : at_crossing(piece, before, at, step, past), stop.name);
+    return true;
+  }
+  return false;
+}
+
+/// Whether the matrix of the rows is nearly singular behind this step; then history_.direction is the free one.
+bool ControlledMarch::at_limit(const Piece& piece, double step) {
+  double least = rest_condition_;
+  for (const ControlledPoint* point : {&tried_, &first_}) {
+    if (point->state.size() != now_.state.size() || !point->F.allFinite() || !(point->F.determinant() > 0)) continue;
+    const ControlMatrix matrix = steps_.matrix_at(now_, piece.width * step, *point);
+    if (matrix.condition() >= least) continue;
+    least = matrix.condition();
+    history_.direction = matrix.direction;
+  }
+  return least < singular * rest_condition_;
+}
+
+/// No step is short enough: why.
+void ControlledMarch::end_stuck(const Piece& piece, double step) {
+  ended_ = true;
+  if (coarse_) return;
+  if (refused_) {
+    history_.outcome = ControlOutcome::material_failed;
+    history_.failure = refused_;
+    history_.reason = refused_->what();
+    return;
+  }
+  const bool limit = at_limit(piece, step);
+  history_.outcome = limit ? ControlOutcome::limit_load : ControlOutcome::no_solution;
+  history_.reason = limit ? "no deformation near by has the stress that is asked for"
+                          : "Newton's method finds no deformation that has the stress that is asked for";
+}
+
+void ControlledMarch::write_row(const ControlledPoint& point) {
+  ControlledRow row;
+  static_cast<ControlledPoint&>(row) = point;
+  row.residual = residual_;
+  row.error = history_.error;
+  row.acoustic = acoustic_at_rest_ > 0 ? acoustic_ : 1;
+  history_.rows.push_back(std::move(row));
+}
+
+}  // namespace assay
