@@ -9,7 +9,7 @@ list(JOIN ASSAY_FLAGS " " ASSAY_FLAGS)
 string(REGEX REPLACE "[\\\\\"]" "" ASSAY_FLAGS "${ASSAY_FLAGS}")
 
 set(ASSAY_LIBRARIES "Eigen ${Eigen3_VERSION}" "Boost ${Boost_VERSION_STRING}" "yaml-cpp ${yaml-cpp_VERSION}"
-  "CLI11 ${CLI11_VERSION}" "fmt ${fmt_VERSION}" "nlohmann_json ${nlohmann_json_VERSION}"
+  "CLI11 ${CLI11_VERSION}" "fmt ${fmt_VERSION}" "muparser ${muparser_VERSION}" "nlohmann_json ${nlohmann_json_VERSION}"
   "zlib ${ZLIB_VERSION_STRING}")
 if(HDF5_FOUND)
   list(APPEND ASSAY_LIBRARIES "HDF5 ${HDF5_VERSION}")

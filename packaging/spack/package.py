@@ -32,6 +32,7 @@ class Assay(CMakePackage):
     depends_on("yaml-cpp@0.7:")
     depends_on("cli11@2:")
     depends_on("fmt@9:")
+    depends_on("muparser@2.3:")
     depends_on("nlohmann-json@3:")
     depends_on("zlib@1.2:")
     depends_on("hdf5@1.10:~mpi")

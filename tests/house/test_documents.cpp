@@ -101,13 +101,15 @@ TEST(Documents, EverySceneSaysWhatItExpects) {
 std::string line_for_editors(const std::string& path) {
   std::string up;
   for (std::size_t at = path.find('/'); (at = path.find('/', at + 1)) != path.npos;) up += "../";
-  const bool study = path.starts_with("configs/studies/");
-  return "# yaml-language-server: $schema=" + up + "schema/" + (study ? "study" : "scene") + ".schema.json";
+  const bool study = path.starts_with("configs/studies/"), of_point = path.starts_with("configs/paths/");
+  const char* kind = study ? "study" : of_point ? "path" : "scene";
+  return "# yaml-language-server: $schema=" + up + "schema/" + kind + ".schema.json";
 }
 
 TEST(Documents, EverySceneBeginsWithTheLineForEditors) {
   EXPECT_EQ(line_for_editors("configs/a/b.yaml"), "# yaml-language-server: $schema=../schema/scene.schema.json");
   EXPECT_EQ(line_for_editors("configs/studies/b.yaml"), "# yaml-language-server: $schema=../schema/study.schema.json");
+  EXPECT_EQ(line_for_editors("configs/paths/b.yaml"), "# yaml-language-server: $schema=../schema/path.schema.json");
   for (const std::string& path : files_in("configs", {".yaml", ".yml"}, true)) {
     EXPECT_EQ(lines_of(text_of(path)).at(0), line_for_editors(path)) << path;
   }
@@ -116,6 +118,7 @@ TEST(Documents, EverySceneBeginsWithTheLineForEditors) {
 TEST(Documents, SchemasBesideTheScenesAreThoseOfTheProgram) {
   expect_file("configs/schema/scene.schema.json", run_assay("schema").output);
   expect_file("configs/schema/study.schema.json", run_assay("schema --study").output);
+  expect_file("configs/schema/path.schema.json", run_assay("schema --path").output);
 }
 
 }  // namespace

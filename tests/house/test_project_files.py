@@ -28,11 +28,11 @@ PLAIN = ["SECURITY.md", "CODE_OF_CONDUCT.md", "CONTRIBUTING.md", ".github/PULL_R
          "docs/paper.bib"]
 # What CMake finds, and the packages that hold it.
 SPACK = {"Eigen3": {"eigen"}, "Boost": {"boost"}, "yaml-cpp": {"yaml-cpp"}, "CLI11": {"cli11"}, "fmt": {"fmt"},
-         "nlohmann_json": {"nlohmann-json"}, "ZLIB": {"zlib", "zlib-api"}, "STB": {"stb"},
+         "muparser": {"muparser"}, "nlohmann_json": {"nlohmann-json"}, "ZLIB": {"zlib", "zlib-api"}, "STB": {"stb"},
          "HDF5": {"hdf5"}, "Threads": set()}
 CONDA = {"Eigen3": {"eigen"}, "Boost": {"libboost-headers"}, "yaml-cpp": {"yaml-cpp"}, "CLI11": {"cli11"},
-         "fmt": {"fmt"}, "nlohmann_json": {"nlohmann_json"}, "ZLIB": {"zlib"}, "STB": {"stb"}, "HDF5": {"hdf5"},
-         "Threads": set()}
+         "fmt": {"fmt"}, "muparser": {"muparser"}, "nlohmann_json": {"nlohmann_json"}, "ZLIB": {"zlib"}, "STB": {"stb"},
+         "HDF5": {"hdf5"}, "Threads": set()}
 TOOLS = {"c", "cxx", "fortran", "cmake", "ninja", "googletest", "libxml2"}  # of the build and of the tests
 
 
