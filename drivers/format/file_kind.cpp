@@ -18,11 +18,12 @@ struct Words {
   std::vector<const char*> keys;  ///< each tells the kind
 };
 
-const std::array<Words, 4>& kinds() {
-  static const std::array<Words, 4> all{{
+const std::array<Words, 5>& kinds() {
+  static const std::array<Words, 5> all{{
       {FileKind::replay, "a replay file", "assay check --replay", {"library_sha256", "F0", "state0"}},
       {FileKind::study, "a study", "assay study", {"scene", "axes"}},
       {FileKind::scene, "a scene", "assay run", {"motion", "body", "grid", "method", "force", "time"}},
+      {FileKind::path, "a path of the point driver", "assay tabulate", {"path"}},
       {FileKind::description, "the description of a material", "assay check", {"library", "source", "interface"}},
   }};
   return all;

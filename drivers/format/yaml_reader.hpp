@@ -45,7 +45,7 @@ struct YamlLimits {
 Tree read_yaml(std::string_view text, const std::string& name, const YamlLimits& limits = {});
 
 /// The kinds of YAML files that there are, told by their keys.
-enum class FileKind { scene, study, description, replay };
+enum class FileKind { scene, study, path, description, replay };
 
 /// Throws InputError "this is a scene, not a study: use `assay run`" for a file of another kind than is wanted; what
 /// has a key that tells the wanted kind is taken for it. The program's own results in JSON are named, too.

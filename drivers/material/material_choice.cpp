@@ -85,9 +85,11 @@ ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) 
     if (!source.density) {
       if (const auto at = given.parameter_key_where.find("density"); at != given.parameter_key_where.end())
         throw InputError(at->second, "material.parameters.density", "belongs to material, beside parameters");
-      throw InputError(given.where, "material.density", "required: neither the scene nor the material gives one");
+      if (given.needs_density)
+        throw InputError(given.where, "material.density", "required: neither the scene nor the material gives one");
+    } else {
+      choice.density = *source.density;
     }
-    choice.density = *source.density;
   }
   std::vector<std::string> of_example = filled_from_example(*source.table, example, choice);
   Material material = created(choice, source);

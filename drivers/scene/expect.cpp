@@ -107,7 +107,7 @@ bool is_of_order(const Expectation& line) { return line.key == order_key || line
 // weak: libassay has another in its place
 [[gnu::weak]] std::vector<Expectation> read_expectations(const Tree& map, const ExpectationWords& words) {
   std::vector<std::string> known = words.numbers;
-  append_all(known, flat_keys());
+  append_all(known, words.of_runs ? flat_keys() : std::vector<std::string>{"outcome"});
   require_map(map, words.path, "keys of result.json");
   refuse_unknown_keys(map, words.path, known);
   return mapped(map.entries, [&](const Tree::Entry& entry) { return read_line(entry, words); });

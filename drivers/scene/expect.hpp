@@ -25,6 +25,7 @@ struct ExpectationWords {
   std::string path = "expect";
   std::vector<std::string> numbers = {};  ///< keys of numbers beside those of result.json
   std::vector<std::string> outcomes = known_outcomes();
+  bool of_runs = true;  ///< keys of result.json of a run; else `outcome` and `numbers` alone
 };
 
 /// The lines of `expect:`. Throws InputError for keys that result.json does not have, unknown outcomes, wrong types.

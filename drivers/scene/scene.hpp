@@ -49,6 +49,7 @@ struct MaterialChoice {
   std::map<std::string, Location> parameter_key_where;  ///< of their names
   /// As whoever made the choice calls them in messages.
   std::string adapter_key = "material.adapter", parameters_key = "material.parameters";
+  bool needs_density = true;           ///< a point without motion needs none
   std::string parameters_option = {};  ///< of the command line, which gives them without a place
 };
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "drivers/command_line/verb.hpp"
+#include "drivers/path/path_schema.hpp"
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/study/plan/study_reader.hpp"
 #include "drivers/system/terminal.hpp"
@@ -12,10 +13,14 @@ namespace assay::drivers {
 namespace {
 
 Act add_schema_arguments(VerbArguments& verb) {
-  const auto of_studies = std::make_shared<bool>(false);
-  verb.app.add_flag("--study", *of_studies, "the schema of studies");
-  return [of_studies](Verbosity) {
-    print(*of_studies ? study_schema_json() : schema_json());
+  struct Asked {
+    bool studies = false, paths = false;
+  };
+  const auto asked = std::make_shared<Asked>();
+  auto* studies = verb.app.add_flag("--study", asked->studies, "the schema of studies");
+  verb.app.add_flag("--path", asked->paths, "the schema of paths")->excludes(studies);
+  return [asked](Verbosity) {
+    print(asked->studies ? study_schema_json() : asked->paths ? path_schema_json() : schema_json());
     return 0;
   };
 }
@@ -23,7 +28,7 @@ Act add_schema_arguments(VerbArguments& verb) {
 }  // namespace
 
 Verb verb_schema() {
-  return {50, "JSON Schema of scenes and studies, for editors", "assay schema > scene.schema.json",
+  return {50, "JSON Schema of scenes, studies and paths, for editors", "assay schema > scene.schema.json",
           add_schema_arguments};
 }
 

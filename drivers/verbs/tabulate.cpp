@@ -8,6 +8,9 @@
 #include "drivers/command_line/verb.hpp"
 #include "drivers/findings/findings.hpp"
 #include "drivers/output/output_folder.hpp"
+#include "drivers/path/path_tabulation.hpp"
+#include "drivers/point_drivers/mtest_run.hpp"
+#include "drivers/point_drivers/niemunis_run.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_reader.hpp"
@@ -21,6 +24,7 @@
 #include "drivers/system/terminal.hpp"
 #include "drivers/tabulation/tabulation.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/sha256.hpp"
 #include "drivers/text/wrapped_text.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 
@@ -66,10 +70,22 @@ void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, 
   if (!points.empty()) folder.write("points.csv", sheet_at(tab, points));
 }
 
+void refuse_of_loading_files(const TabulateOptions& options) {
+  if (!options.points.empty())
+    throw InputError({}, "--points", "asks for points of a sheet, which such a file has not");
+  if (!options.sets.empty()) throw InputError({}, "--set", "changes scenes, and this is none");
+  if (is_niemunis(options.scene) && !options.defines.empty())
+    throw InputError({}, "--define", "belongs to MTest files");
+}
+
 Act add_tabulate_arguments(VerbArguments& verb) {
   const auto given = std::make_shared<TabulateOptions>();
   add_scene(verb, *given);
   add_value(verb, "--points", given->points, "CSV", "also the response at the xi,t of this file");
+  add_repeatable(verb, "--define", given->defines, "NAME=VALUE",
+                 "of an MTest file: what stands for @NAME@, as library=./libLaw.so");
+  add_value(verb, "--material", given->material, "MATERIAL",
+            "of an MTest file: in place of its behaviour; of a loading file: its material", "@materials");
   add_results(verb, *given);
   return [given](Verbosity verbosity) {
     given->out = results_folder(given->out, given->scene);
@@ -85,7 +101,23 @@ int tabulate(const TabulateOptions& options) {
   const Stopwatch life;
   if (is_same_stream(options.scene, options.points))
     throw InputError({}, "--points", "is the scene's stream, which can be read once");
-  Scene scene = read_scene(options.scene, options.sets, to_tabulate);
+  if (is_mtest(options.scene) || is_niemunis(options.scene)) {
+    refuse_of_loading_files(options);
+    if (is_niemunis(options.scene)) return tabulate_niemunis(options, options.material);
+    MtestOptions mtest;
+    static_cast<SceneOptions&>(mtest) = options;
+    mtest.placeholders = placeholders_of(options.defines), mtest.material = options.material;
+    return tabulate_mtest(mtest);
+  }
+  if (!options.defines.empty()) throw InputError({}, "--define", "belongs to MTest files");
+  if (!options.material.empty())
+    throw InputError({}, "--material", "belongs to MTest and loading files; here --set material.adapter=...");
+  const std::string bytes = read_bytes(options.scene);
+  if (is_path_text(bytes, options.scene)) {
+    if (!options.points.empty()) throw InputError({}, "--points", "asks for points of a sheet, which a path has not");
+    return tabulate_path(path_tree(bytes, options.scene, options.sets), sha256_hex(bytes), options);
+  }
+  Scene scene = scene_from_text(bytes, options.scene, options.sets, to_tabulate);
   std::vector<SheetPoint> points;
   if (!options.points.empty()) points = read_sheet_points(options.points);
   watch_interrupts();
@@ -130,7 +162,7 @@ int tabulate(const TabulateOptions& options) {
 }
 
 Verb verb_tabulate() {
-  return {70, "tabulate a model's response along the scene's motion",
+  return {70, "tabulate a model's response along the scene's motion, a path or an MTest file",
           "assay tabulate configs/paper/tabulate_neo_hookean.yaml -o results/sheet", add_tabulate_arguments};
 }
 

@@ -17,7 +17,9 @@ namespace assay::drivers {
 int run(const RunOptions& options);
 
 struct TabulateOptions : SceneOptions {
-  std::string points;  ///< CSV of xi,t; empty: none
+  std::string points;                     ///< CSV of xi,t; empty: none
+  std::vector<std::string> defines = {};  ///< NAME=VALUE of an MTest file
+  std::string material = {};              ///< in place of its behaviour
 };
 
 /// Leaves the sheet of a scene's material, its slope and its curve in the folder. The same status.

@@ -27,7 +27,8 @@ inline std::vector<std::string> all_configs() {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(ASSAY_SOURCE_DIR "/configs")) {
     const std::string extension = entry.path().extension().string();
-    if (entry.path().parent_path().filename() == "studies") continue;
+    const std::string folder = entry.path().parent_path().filename().string();
+    if (folder == "studies" || folder == "paths") continue;  // no scenes
     if (extension == ".yaml" || extension == ".yml") files.push_back(entry.path().string());
   }
   return files;

@@ -5,7 +5,7 @@
 #include <array>
 #include <filesystem>
 
-#include "drivers/scene/scene_reader.hpp"
+#include "drivers/format/yaml_reader.hpp"
 #include "drivers/system/input_file.hpp"
 
 namespace assay::fuzz {
@@ -28,7 +28,7 @@ std::vector<std::string> yaml_files(const std::string& folder) {
 
 Mutants::Base base_of(const std::string& file) {
   Mutants::Base base{std::filesystem::path(file).stem().string(), drivers::read_bytes(file), {}};
-  base.tree = loose_of(drivers::scene_tree(base.text, file));
+  base.tree = loose_of(drivers::read_yaml(base.text, file));
   return base;
 }
 

@@ -79,7 +79,7 @@ std::vector<std::string> folder_faults(const std::string& folder) {
   return faults;
 }
 
-std::vector<std::string> faults_of(const Outcome& outcome, const std::string& folder, const Promise& promise) {
+std::vector<std::string> process_faults(const Outcome& outcome, const Promise& promise) {
   std::vector<std::string> faults;
   if (outcome.status < 0 || outcome.status > 3) faults.push_back("exit status " + std::to_string(outcome.status));
   for (const char* word : words_of_a_crash) {
@@ -88,6 +88,11 @@ std::vector<std::string> faults_of(const Outcome& outcome, const std::string& fo
   }
   check_error_lines(outcome, faults);
   check_bounds(outcome, promise, faults);
+  return faults;
+}
+
+std::vector<std::string> faults_of(const Outcome& outcome, const std::string& folder, const Promise& promise) {
+  std::vector<std::string> faults = process_faults(outcome, promise);
   if (outcome.status == 0 || outcome.status == 1) {
     if (!fs::is_directory(folder)) {
       faults.push_back("no result");

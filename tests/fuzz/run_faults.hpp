@@ -19,6 +19,9 @@ struct Promise {
 /// a sanitizer, time, memory, and a result folder that is whole or not there. `folder` is where it was to write.
 std::vector<std::string> faults_of(const Outcome& outcome, const std::string& folder, const Promise& promise);
 
+/// The same of the process alone: all but the folder.
+std::vector<std::string> process_faults(const Outcome& outcome, const Promise& promise);
+
 /// Of a folder of results alone: names, result.json, numbers of the tables and VTU files, ends of pictures and report.
 std::vector<std::string> folder_faults(const std::string& folder);
 

@@ -14,8 +14,9 @@
 
 namespace assay {
 
-/// Keeps a text as KIND.HASH.EXTENSION. The kind says what the script asks of it: `scene` is to satisfy the schema,
-/// `plain` is to be the same to every reader, `values` is to hold what the JSON file of the same hash holds.
+/// Keeps a text as KIND.HASH.EXTENSION. The kind says what the script asks of it: `scene` and `path` are to satisfy
+/// their schemas, `plain` is to be the same to every reader, `values` is to hold what the JSON file of the same hash
+/// holds.
 inline void keep_yaml(const std::string& kind, const std::string& text, const std::string& json = {}) {
   const std::string hash = std::to_string(std::hash<std::string>{}(text)), name = kind + "." + hash;
   const std::string folder = built("yaml_of_tests");
@@ -37,7 +38,8 @@ inline void keep_resolved_scenes(const std::filesystem::path& folder) {
     if (name != "resolved.yaml" && name != "replay_scene.yaml") continue;
     if (!std::filesystem::exists(entry.path().parent_path() / "result.json")) continue;
     std::ifstream in(entry.path(), std::ios::binary);
-    keep_yaml("scene", {std::istreambuf_iterator<char>(in), {}});
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    keep_yaml(text.find("\npath:") == text.npos ? "scene" : "path", text);
   }
 }
 

@@ -133,7 +133,7 @@ def description_fault(value):
 
 class Check:
     def __init__(self, assay):
-        self.scenes, self.studies = Schema(assay), Schema(assay, "--study")
+        self.scenes, self.studies, self.paths = Schema(assay), Schema(assay, "--study"), Schema(assay, "--path")
         self.counts, self.faults = {}, []
 
     def fault_of(self, text, kind):
@@ -144,6 +144,8 @@ class Check:
             return self.scenes.fault(value)
         if kind == "study":
             return self.studies.fault(value)
+        if kind == "path":
+            return self.paths.fault(value)
         return description_fault(value) if kind == "description" else None
 
     def take(self, name, text, kind):
@@ -156,6 +158,8 @@ class Check:
         """Of a file of the tree."""
         if path.parent.name == "studies":
             return "study"
+        if re.search(r"^path:", text, re.M):
+            return "path"
         return "description" if re.search(r"^library:", text, re.M) else "scene"
 
     def end(self, least):
@@ -180,7 +184,7 @@ def shipped(assay, source):
         for at, block in enumerate(re.findall(r"^```yaml[^\n]*\n(.*?)^```", path.read_text(), re.M | re.S)):
             if not re.search("^jobs:", block, re.M):  # a workflow of GitHub, whose key `on` is true to YAML 1.1
                 check.take(f"{path}, block {at + 1}", block, "block")
-    return check.end({"scene": 100, "study": 8, "description": 5, "block": 5})
+    return check.end({"scene": 100, "study": 8, "path": 5, "description": 5, "block": 5})
 
 
 def written(assay, build):
@@ -193,7 +197,8 @@ def written(assay, build):
 
     for pattern in ("scenes/**/resolved.yaml", "studies/**/resolved.yaml", "studies/**/case.yaml"):
         for path in fresh(pattern):
-            check.take(path, path.read_text(), "scene")
+            text = path.read_text()
+            check.take(path, text, check.kind_of(path, text) if path.parent.name != "studies" else "scene")
     for path in fresh("scenes/**/replay*.yaml"):
         check.take(path, path.read_text(), "scene" if path.name == "replay_scene.yaml" else "plain")
     for path in fresh("yaml_of_tests/*.yaml"):

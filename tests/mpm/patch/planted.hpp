@@ -84,7 +84,7 @@ struct DefectIn {
   std::vector<Method> methods;
   std::set<std::string> must_fail;
   std::function<void(State<Dim>&)> bind{};  ///< before the passes after it are bound; with "= {}" g++ 12 breaks down
-  std::set<std::string> must_pass = {};        ///< what is blind for it
+  std::set<std::string> must_pass = {};     ///< what is blind for it
 };
 using Defect = DefectIn<2>;
 

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A material along a path, and what was found on the way in words.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "drivers/path/path_result.hpp"
+#include "drivers/system/interrupt.hpp"
+#include "drivers/text/numbers.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr double shown_share = 0.15;  ///< of a direction: smaller components are not named
+
+/// "0.82 e11 - 0.41 e22 - 0.41 e33".
+std::string direction_text(const Tensor& direction, Deformation deformation) {
+  std::string text;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (deformation == Deformation::logarithmic_strain && j < i) continue;
+      const double part = direction(i, j);
+      if (std::abs(part) < shown_share * direction.cwiseAbs().maxCoeff()) continue;
+      text += text.empty() ? (part < 0 ? "-" : "") : (part < 0 ? " - " : " + ");
+      text += rounded_text(std::abs(part), 2) + " " + letter_of(deformation) + std::to_string(i + 1) +
+              std::to_string(j + 1);
+    }
+  }
+  return text;
+}
+
+bool is_rotation(const Tensor& direction) {
+  return (direction + direction.transpose()).norm() < 1e-3 * direction.norm();
+}
+
+std::string normal_text(const Vector3& n) {
+  return "(" + rounded_text(n(0), 3) + ", " + rounded_text(n(1), 3) + ", " + rounded_text(n(2), 3) + ")";
+}
+
+/// Stresses that are prescribed, as they are at a row.
+std::string stresses_text(const PathScene& scene, const ControlledRow& row) {
+  std::string text;
+  for (const PathRow& each : scene.rows) {
+    if (!each.quantity.of_stress() || each.origin != PathRow::Origin::given) continue;
+    text += ", " + each.quantity.text + " = " + rounded_text(value_of(control_quantity(each.quantity), row), 6) + " Pa";
+  }
+  return text;
+}
+
+std::string reason_of(const PathScene& scene, const ControlledHistory& history) {
+  const double t = history.rows.back().t;
+  const std::string at = " at t = " + rounded_text(t, 6) + " s";
+  const std::string along = direction_text(history.direction, scene.deformation);
+  switch (history.outcome) {
+    case ControlOutcome::completed:
+      return {};
+    case ControlOutcome::stopped:
+      return history.reason + at;
+    case ControlOutcome::limit_load:
+      return "limit load" + at + stresses_text(scene, history.rows.back()) + ": " + history.reason +
+             "; the point runs away along " + along + ". Prescribe a deformation there to go past it";
+    case ControlOutcome::no_solution:
+      return history.reason + at + stresses_text(scene, history.rows.back());
+    case ControlOutcome::undetermined:
+      return history.reason + ": " + along +
+             (is_rotation(history.direction) ? ", a rotation; use e, or hold a component of F"
+                                             : "; hold it, or prescribe a stress that it changes");
+    case ControlOutcome::material_failed:
+      return history.reason + at;
+  }
+  return history.reason;
+}
+
+std::vector<double> times_of(const PathScene& scene, const Control& control) {
+  std::set<double> times(control.knots.begin(), control.knots.end());
+  for (int k = 0; k <= scene.count; ++k) times.insert(scene.end * k / scene.count);
+  return {times.begin(), times.end()};
+}
+
+}  // namespace
+
+PathRun run_path(const PathScene& scene, const Material& material, const std::function<void(double)>& progress) {
+  PathRun run;
+  PathFindings& found = run.findings;
+  found.material = material.name();
+  const Control control = control_of(scene);
+  ControlOptions options{.tolerance = 0.1 * scene.tolerance};
+  options.rows_at_kinks = true;
+  options.most_calls = static_cast<std::int64_t>(scene.most_calls);
+  options.progress = [&](double share) {
+    stop_if_interrupted();
+    if (progress) progress(share);
+  };
+  ControlledHistory history;
+  try {
+    history = follow_control(material, control, times_of(scene, control), options);
+  } catch (const ControlError& error) {
+    const auto row = static_cast<std::size_t>(std::max(error.row, 0));
+    const Location where = error.row < 0 ? Location{scene.file, 0, 0} : scene.rows[row].where;
+    throw InputError(where, error.row < 0 ? "path.control" : "path.control." + scene.rows[row].quantity.text,
+                     error.what());
+  } catch (const MaterialFailure& failure) {
+    found.outcome = "material_failed", found.reason = failure.what();
+    run.failure = failure;
+    return run;
+  }
+  found.outcome = names_of(history.outcome)[static_cast<std::size_t>(history.outcome)];
+  found.reason = reason_of(scene, history);
+  run.failure = history.failure;
+  run.table = path_table(material, history, control);
+  found.t = history.rows.back().t;
+  found.error = history.error;
+  for (const ControlledRow& row : history.rows) found.residual = std::max(found.residual, row.residual);
+  found.steps = history.steps, found.material_calls = history.calls;
+  const double near = 1e-6 * scene.end;  // a limit load is one of them, and is named already
+  for (const BranchPoint& branch : history.branches) {
+    if (history.outcome == ControlOutcome::limit_load && branch.t > found.t - near) continue;
+    found.branches.push_back(branch.t);
+    found.warnings.push_back("another solution begins at t = " + rounded_text(branch.t, 6) + " s, along " +
+                             direction_text(branch.direction, scene.deformation));
+  }
+  if (history.loses_ellipticity) {
+    found.loses_ellipticity = history.loses_ellipticity;
+    found.normal = {history.normal(0), history.normal(1), history.normal(2)};
+    found.warnings.push_back("the acoustic tensor is singular at t = " + rounded_text(*history.loses_ellipticity, 6) +
+                             " s, for planes with the normal " + normal_text(history.normal));
+  }
+  if (history.error > 10 * scene.tolerance)
+    found.warnings.push_back("the estimated error is " + rounded_text(history.error, 2) + ", where " +
+                             rounded_text(scene.tolerance, 2) + " was asked");
+  for (std::size_t k = 0; k < run.table.names.size(); ++k) {
+    const auto& values = run.table.columns[k];
+    found.last[run.table.names[k]] = values.back();
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    found.largest[run.table.names[k]] = largest;
+  }
+  if (scene.compare) {
+    std::string fault;
+    found.misfit = misfit(*scene.compare, run.table, fault);
+    if (!found.misfit) found.warnings.push_back("no misfit: " + fault);
+  }
+  return run;
+}
+
+}  // namespace assay::drivers

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/path/path_table.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/format/csv.hpp"
+#include "drivers/format/npz.hpp"
+#include "harness/material/offer.hpp"
+#include "harness/material/state_variable.hpp"
+
+namespace assay::drivers {
+
+namespace {
+
+constexpr const char* nine[] = {"11", "12", "13", "21", "22", "23", "31", "32", "33"};
+constexpr int six_places[] = {0, 4, 8, 1, 2, 5};
+
+Tensor log_of_stretch(const Tensor& F) {
+  const Eigen::SelfAdjointEigenSolver<Tensor> spectrum(F.transpose() * F);
+  const Tensor& N = spectrum.eigenvectors();
+  return N * (0.5 * spectrum.eigenvalues().array().log()).matrix().asDiagonal() * N.transpose();
+}
+
+double mises_of(const Tensor& sigma) {
+  const Tensor s = sigma - sigma.trace() / 3 * Tensor::Identity();
+  return std::sqrt(1.5) * s.norm();
+}
+
+/// "back_stress_12": of a variable with several components.
+std::vector<std::string> names_of_state(const assay_material& table) {
+  constexpr const char *vector[] = {"1", "2", "3"}, *symmetric[] = {"11", "22", "33", "12", "13", "23"};
+  std::vector<std::string> names;
+  for (const StatePlace& place : state_of(table)) {
+    for (std::size_t k = 0; k < place.size; ++k) {
+      const char* index = place.size == 3 ? vector[k] : place.size == 6 ? symmetric[k] : nine[k];
+      names.push_back(place.size == 1 ? place.name : std::string(place.name) + "_" + index);
+    }
+  }
+  return names;
+}
+
+/// Collects columns row by row.
+class Columns {
+ public:
+  explicit Columns(PathTable& table) : table_(table) {}
+  void operator()(const std::string& name, const char* unit, double value) {
+    if (first_) {
+      table_.names.push_back(name), table_.units.emplace_back(unit);
+      table_.columns.emplace_back();
+    }
+    table_.columns[next_++].push_back(value);
+  }
+  void tensor(const std::string& family, const char* unit, const Tensor& A) {
+    for (int c = 0; c < 9; ++c) (*this)(family + nine[c], unit, component(A, c));
+  }
+  void symmetric(const std::string& family, const char* unit, const Tensor& A) {
+    for (const int c : six_places) (*this)(family + nine[c], unit, component(A, c));
+  }
+  void end_row() { first_ = false, next_ = 0; }
+
+ private:
+  PathTable& table_;
+  bool first_ = true;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+const std::vector<double>* PathTable::column(const std::string& name) const {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? nullptr : &columns[static_cast<std::size_t>(found - names.begin())];
+}
+
+bool PathTable::moves(const std::string& name) const {
+  const auto* values = column(name);
+  return values && std::ranges::any_of(*values, [&](double value) { return value != values->front(); });
+}
+
+PathTable path_table(const Material& material, const ControlledHistory& history, const Control& control) {
+  PathTable table;
+  Columns add(table);
+  const Offer<assay_energy> energy_of(material);
+  const std::vector<std::string> state_names = names_of_state(material.table());
+  const std::vector<StatePlace> places = state_of(material.table());
+  double first_energy = 0;
+  for (const ControlledRow& row : history.rows) {
+    const Tensor sigma = cauchy_of(control.stress, row.s, row.F);
+    const double J = row.F.determinant();
+    add("t", "s", row.t);
+    add.tensor("F", "1", row.F);
+    add.symmetric("e", "1", log_of_stretch(row.F));
+    add.symmetric("s", "Pa", sigma);
+    add.symmetric("tau", "Pa", J * sigma);
+    add.tensor("P", "Pa", first_piola_kirchhoff(sigma, row.F));
+    add("J", "1", J);
+    add("pressure", "Pa", -sigma.trace() / 3);
+    add("mises", "Pa", mises_of(sigma));
+    add("work", "J/m^3", row.work);
+    if (energy_of) {
+      double energy = 0;
+      const auto F = nine_of(row.F);
+      const bool good = energy_of(1, F.data(), row.state.data(), &energy) != ASSAY_FAILED;
+      if (&row == &history.rows.front()) first_energy = energy;
+      add("energy", "J/m^3", good ? energy : NAN);
+      add("dissipation", "J/m^3", good ? row.work - (energy - first_energy) : NAN);
+    }
+    add("acoustic", "1", row.acoustic);
+    add("residual", "1", row.residual);
+    add("error", "1", row.error);
+    std::size_t k = 0;
+    for (const StatePlace& place : places) {
+      for (std::size_t c = 0; c < place.size; ++c, ++k) add(state_names[k], place.unit ? place.unit : "", row.state[k]);
+    }
+    add.end_row();
+  }
+  return table;
+}
+
+std::string path_csv(const PathTable& table) {
+  std::string remark = "# units:";
+  for (std::size_t k = 0; k < table.names.size(); ++k)
+    remark += (k == 0 ? " " : ", ") + table.names[k] + " [" + table.units[k] + "]";
+  CsvText csv(table.names);
+  std::vector<double> row(table.names.size());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    for (std::size_t k = 0; k < row.size(); ++k) row[k] = table.columns[k][i];
+    csv.row(row);
+  }
+  return remark + "\n" + csv.text();
+}
+
+std::string path_npz(const PathTable& table) {
+  std::vector<NpzArray> arrays;
+  for (std::size_t k = 0; k < table.names.size(); ++k)
+    arrays.push_back({table.names[k], {table.rows()}, table.columns[k]});
+  return npz_bytes(arrays);
+}
+
+/// At each measured abscissa the path's value, straight between its rows: by time, or by a quantity that grows or falls
+/// all along the path.
+std::optional<double> misfit(const PathComparison& compare, const PathTable& table, std::string& fault) {
+  const auto values_of = [&](const PathQuantity& quantity) {
+    std::vector<double> values(table.rows(), 0.0);
+    for (const PathTerm& term : quantity.terms) {
+      const auto* column = table.column(term.family + std::to_string(term.i + 1) + std::to_string(term.j + 1));
+      for (std::size_t i = 0; column && i < values.size(); ++i) values[i] += term.factor * (*column)[i];
+    }
+    return values;
+  };
+  std::vector<double> x = compare.x.terms.empty() ? *table.column("t") : values_of(compare.x);
+  const std::vector<double> y = values_of(compare.y);
+  const bool falls = x.back() < x.front();
+  if (falls) {
+    for (double& value : x) value = -value;
+  }
+  if (!std::is_sorted(x.begin(), x.end())) {
+    fault = compare.x.text + " turns back along the path: compare by x: t";
+    return std::nullopt;
+  }
+  double sum = 0, largest = 0;
+  std::size_t counted = 0;
+  for (std::size_t k = 0; k < compare.y_of_x.times.size(); ++k) {
+    const double at = (falls ? -1 : 1) * compare.y_of_x.times[k], measured = compare.y_of_x.values[k];
+    if (at < x.front() || at > x.back()) continue;
+    const auto behind = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end() - 1, at) - x.begin());
+    const std::size_t before = behind == 0 ? 0 : behind - 1;
+    const double width = x[behind] - x[before], share = width > 0 ? (at - x[before]) / width : 1;
+    const double difference = y[before] + share * (y[behind] - y[before]) - measured;
+    sum += difference * difference;
+    largest = std::max(largest, std::abs(measured));
+    ++counted;
+  }
+  if (counted == 0 || largest == 0) {
+    fault = counted == 0 ? "no measured value lies on the path" : "all measured values are zero";
+    return std::nullopt;
+  }
+  return std::sqrt(sum / static_cast<double>(counted)) / largest;
+}
+
+}  // namespace assay::drivers

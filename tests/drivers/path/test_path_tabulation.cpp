@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/path/path_tabulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "drivers/format/csv.hpp"
+#include "drivers/path/path_result.hpp"
+#include "drivers/verbs/verbs.hpp"
+#include "tests/drivers/refusal.hpp"
+#include "tests/drivers/scratch_folder.hpp"
+
+namespace assay::drivers::test_path_tabulation {
+namespace {
+
+struct Found {
+  int status = -1;
+  nlohmann::json result;
+  std::vector<std::string> files;
+};
+
+Found tabulated(const std::string& text, std::vector<std::string> sets = {}) {
+  const ScratchFolder scratch;
+  scratch.write("data.csv", "t,x,y\n0,0,0\n0.5,0.01,10\n1,0.02,20\n");
+  TabulateOptions options;
+  options.scene = scratch.write("path.yaml", text);
+  options.out = scratch / "out";
+  options.sets = std::move(sets);
+  options.verbosity = Verbosity::quiet;
+  Found found;
+  found.status = tabulate(options);
+  found.result = nlohmann::json::parse(bytes_of(options.out + "/result.json"));
+  for (const auto& entry : std::filesystem::directory_iterator(options.out))
+    found.files.push_back(entry.path().filename().string());
+  return found;
+}
+
+const std::string elastic = "material: {adapter: neo_hookean, parameters: {E: 1.0e+3, nu: 0.3}}\n";
+const std::string plastic =
+    "material: {adapter: j2_multiplicative, parameters: {E: 1.0e+3, nu: 0.3, yield_stress: 10, hardening_modulus: "
+    "20}}\n";
+
+TEST(PathTabulation, WritesTablesPicturesAndFigures) {
+  const Found found = tabulated(plastic +
+                                "path: {type: uniaxial_stress, control: {tau11: {type: ramp, to: 12}}}\n"
+                                "variants: [{label: soft, parameters: {yield_stress: 5}}]\n"
+                                "compare: {file: data.csv, y: s11, y_column: y}\n");
+  EXPECT_EQ(found.status, 0);
+  for (const char* name :
+       {"path.csv", "path_1.csv", "path.npz", "path_stress.png", "path_compare.png", "resolved.yaml"})
+    EXPECT_NE(std::ranges::find(found.files, name), found.files.end()) << name;
+  EXPECT_EQ(found.result["outcome"], "completed");
+  EXPECT_NEAR(found.result["last"]["e11"].get<double>(), 0.012 + 2 / 20.0, 1e-9);
+  EXPECT_NEAR(found.result["last"]["plastic_strain"].get<double>(), 2 / 20.0, 1e-9);
+  EXPECT_NEAR(found.result["variants"][0]["last"]["plastic_strain"].get<double>(), 7 / 20.0, 1e-9);
+  EXPECT_GT(found.result["misfit"].get<double>(), 0.1);
+  // work = energy + dissipation, and what is dissipated is the plastic work
+  const double p = 0.1, dissipated = 10 * p + 10 * p * p;
+  EXPECT_NEAR(found.result["last"]["dissipation"].get<double>(), dissipated, 1e-7);
+}
+
+TEST(PathTabulation, JudgesItsExpectations) {
+  const std::string path = "path: {type: uniaxial_stress, control: {e11: 0.005}}\n";
+  EXPECT_EQ(tabulated(elastic + path + "expect: {outcome: completed, last.e11: {between: [0.0049, 0.0051]}}\n").status,
+            0);
+  EXPECT_EQ(tabulated(elastic + path + "expect: {last.s11: {above: 100}}\n").status, 1);
+  EXPECT_NE(refusal_of([&] { tabulated(elastic + path + "expect: {last.s44: 1}\n"); }).find("no column of path.csv"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([&] { tabulated(elastic + path + "expect: {error.l2_max: 1}\n"); }).find("l2_max"),
+            std::string::npos);
+  EXPECT_NEAR(tabulated(elastic + path, {"path.control.e11=0.1"}).result["last"]["e11"].get<double>(), 0.1, 1e-12);
+}
+
+TEST(PathTabulation, SaysWhyAPathEnds) {
+  const Found limit = tabulated(plastic + "path: {type: uniaxial_stress, control: {tau11: {type: ramp, to: 20}}}\n",
+                                {"material.parameters.hardening_modulus=0"});
+  EXPECT_EQ(limit.status, 1);
+  EXPECT_EQ(limit.result["outcome"], "limit_load");
+  const std::string reason = limit.result["reason"];
+  EXPECT_NE(reason.find("limit load at t = 0.5 s, tau11 = 10"), reason.npos) << reason;
+  EXPECT_NE(reason.find("e11"), reason.npos) << reason;
+  const Found free = tabulated(elastic +
+                                   "path: {control: {P11: 0, P12: 0, P13: 0, P21: 0, P22: 0, P23: 0, P31: 0, "
+                                   "P32: 0, P33: 0, F11: 1}}\n",
+                               {"path.control={P11: 0, P12: 0, P13: 0, P21: 0, P22: 0, P23: 0, P31: 0, P32: 0, "
+                                "F33: 1}"});
+  EXPECT_EQ(free.result["outcome"], "undetermined");
+  EXPECT_NE(std::string(free.result["reason"]).find("leave a deformation free"), std::string::npos);
+  const Found stopped = tabulated(
+      plastic + "path: {type: uniaxial_stress, control: {e11: {type: ramp, to: 1}}, stop: {above: {e11: 0.25}}}\n");
+  EXPECT_EQ(stopped.status, 0);
+  EXPECT_EQ(stopped.result["reason"], "e11 above 0.25 at t = 0.25 s");
+}
+
+TEST(PathTabulation, MeasuresWhatIncrementsCost) {
+  const Found found = tabulated(plastic +
+                                "path: {control: {e11: {type: table, times: [0, 1, 2], values: [0, 0.04, 0.04]}, e12: "
+                                "{type: table, times: [0, 1, 2], values: [0, 0, 0.05]}, s22: 0, s33: 0}}\n"
+                                "increments: [8, 16, 32, 64]\n"
+                                "iso_error: {from: [0.01, -0.003], unit: 0.01, reach: 6, points: 3}\n");
+  EXPECT_EQ(found.status, 0);
+  const auto& rows = found.result["increments"];
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_NEAR(rows[3]["order"].get<double>(), 2, 0.2);  // the mean normal of Rice and Tracey
+  EXPECT_LT(rows[3]["error"].get<double>(), 0.2 * rows[0]["error"].get<double>());
+  EXPECT_GT(found.result["iso_error"]["largest"].get<double>(), 0.05);
+  EXPECT_LT(found.result["iso_error"]["largest"].get<double>(), 0.2);
+}
+
+/// Another kind of file is named with its verb, and options that belong elsewhere are refused.
+TEST(PathTabulation, RefusesWhatBelongsElsewhere) {
+  const ScratchFolder scratch;
+  RunOptions run_options;
+  run_options.scene = scratch.write("path.yaml", elastic + "path: {control: {e11: 0}}\n");
+  run_options.out = scratch / "out";
+  const std::string said = refusal_of([&] { run(run_options); });
+  EXPECT_NE(said.find("a path of the point driver"), said.npos) << said;
+  EXPECT_NE(said.find("assay tabulate"), said.npos) << said;
+  TabulateOptions options;
+  static_cast<SceneOptions&>(options) = run_options;
+  options.defines = {"library=a"};
+  EXPECT_NE(refusal_of([&] { tabulate(options); }).find("--define"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace assay::drivers::test_path_tabulation
