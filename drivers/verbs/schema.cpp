@@ -28,7 +28,7 @@ Act add_schema_arguments(VerbArguments& verb) {
 }  // namespace
 
 Verb verb_schema() {
-  return {50, "JSON Schema of scenes, studies and paths, for editors", "assay schema > scene.schema.json",
+  return {50, "JSON Schema of scenes, studies, paths for editors", "assay schema > scene.schema.json",
           add_schema_arguments};
 }
 

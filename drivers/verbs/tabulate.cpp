@@ -82,10 +82,9 @@ Act add_tabulate_arguments(VerbArguments& verb) {
   const auto given = std::make_shared<TabulateOptions>();
   add_scene(verb, *given);
   add_value(verb, "--points", given->points, "CSV", "also the response at the xi,t of this file");
-  add_repeatable(verb, "--define", given->defines, "NAME=VALUE",
-                 "of an MTest file: what stands for @NAME@, as library=./libLaw.so");
-  add_value(verb, "--material", given->material, "MATERIAL",
-            "of an MTest file: in place of its behaviour; of a loading file: its material", "@materials");
+  add_repeatable(verb, "--define", given->defines, "NAME=VALUE", "MTest file: what stands for @NAME@");
+  add_value(verb, "--material", given->material, "MATERIAL", "MTest or loading file: the material to take",
+            "@materials");
   add_results(verb, *given);
   return [given](Verbosity verbosity) {
     given->out = results_folder(given->out, given->scene);
@@ -162,7 +161,7 @@ int tabulate(const TabulateOptions& options) {
 }
 
 Verb verb_tabulate() {
-  return {70, "tabulate a model's response along the scene's motion, a path or an MTest file",
+  return {70, "tabulate a model along a motion, path or MTest file",
           "assay tabulate configs/paper/tabulate_neo_hookean.yaml -o results/sheet", add_tabulate_arguments};
 }
 
