@@ -184,6 +184,8 @@ void read_path(const Tree& tree, PathScene& scene) {
   scene.end = end;
   for (const PathRow& row : scene.rows) scene.end = end > 0 ? end : std::max(scene.end, row.value.last());
   if (scene.end == 0) scene.end = 1;
+  if (scene.end > most_seconds)
+    throw InputError(control->where, "path.control", "goes on until " + number_text(scene.end) + " s: 1e9 s at most");
   set_measures(control->where, scene);
   complete_rows(scene, control->where);
   warn_of_swings(scene);
