@@ -26,6 +26,7 @@ TEST(Motions, TheirWordsStandInTheirFilesAlone) {
       "drivers/verbs/new_material.cpp \"vortex\"",      // a file
       "drivers/scene/body.hpp \"vortex\"",              // the body of one, a word of body.domain
       "harness/motion/path.hpp \"rotating_stretch\"",   // names of paths
+      "drivers/path/path_reader.cpp \"rigid\"",         // a scene by which the keys of a material are read
   };
   for (const char* floor : {"harness", "adapters", "mpm", "drivers"}) {
     for (const std::string& path : files_in(floor, {".hpp", ".cpp"}, true)) {
