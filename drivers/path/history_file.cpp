@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Histories from CSV files: a column of times, and one of values; units may stand behind the names.
 #include <algorithm>
-#include <map>
 
 #include "drivers/format/csv.hpp"
 #include "drivers/path/path_function.hpp"
@@ -34,44 +33,54 @@ Heading heading_of(const std::string& text) {
   return {trimmed(text), ""};
 }
 
-/// SI units in one of these.
-const std::map<std::string, double>& known_units() {
-  static const std::map<std::string, double> all{{"", 1},
-                                                 {"1", 1},
-                                                 {"-", 1},
-                                                 {"Pa", 1},
-                                                 {"kPa", 1e3},
-                                                 {"MPa", 1e6},
-                                                 {"GPa", 1e9},
-                                                 {"N/mm2", 1e6},
-                                                 {"N/mm^2", 1e6},
-                                                 {"bar", 1e5},
-                                                 {"psi", 6894.757293168361},
-                                                 {"ksi", 6894757.293168361},
-                                                 {"%", 1e-2},
-                                                 {"s", 1},
-                                                 {"ms", 1e-3},
-                                                 {"us", 1e-6},
-                                                 {"min", 60},
-                                                 {"h", 3600},
-                                                 {"1/s", 1},
-                                                 {"mm/mm", 1},
-                                                 {"m/m", 1},
-                                                 {"um/m", 1e-6},
-                                                 {"1e-6", 1e-6}};
-  return all;
-}
+/// What a unit measures, and SI units in one of it.
+struct KnownUnit {
+  const char* name;
+  HistoryKind kind;
+  double factor;
+};
+constexpr KnownUnit known_units[] = {{"Pa", HistoryKind::stress, 1},
+                                     {"kPa", HistoryKind::stress, 1e3},
+                                     {"MPa", HistoryKind::stress, 1e6},
+                                     {"GPa", HistoryKind::stress, 1e9},
+                                     {"N/mm2", HistoryKind::stress, 1e6},
+                                     {"N/mm^2", HistoryKind::stress, 1e6},
+                                     {"bar", HistoryKind::stress, 1e5},
+                                     {"psi", HistoryKind::stress, 6894.757293168361},
+                                     {"ksi", HistoryKind::stress, 6894757.293168361},
+                                     {"1", HistoryKind::number, 1},
+                                     {"-", HistoryKind::number, 1},
+                                     {"%", HistoryKind::number, 1e-2},
+                                     {"mm/mm", HistoryKind::number, 1},
+                                     {"m/m", HistoryKind::number, 1},
+                                     {"um/m", HistoryKind::number, 1e-6},
+                                     {"s", HistoryKind::time, 1},
+                                     {"ms", HistoryKind::time, 1e-3},
+                                     {"us", HistoryKind::time, 1e-6},
+                                     {"min", HistoryKind::time, 60},
+                                     {"h", HistoryKind::time, 3600},
+                                     {"1/s", HistoryKind::rate, 1},
+                                     {"1/min", HistoryKind::rate, 1.0 / 60},
+                                     {"1/h", HistoryKind::rate, 1.0 / 3600}};
 
-double unit_value(const Heading& heading, const std::string& text, const Location& where) {
-  const auto found = known_units().find(heading.unit);
-  if (found != known_units().end()) return found->second;
-  throw InputError(where, "", "unknown unit '" + heading.unit + "' of the column '" + text + "'",
-                   "Pa, kPa, MPa, GPa, N/mm2, bar, psi, ksi, %, 1, s, ms, us, min, h, 1/s");
+double unit_value(const std::string& text, HistoryKind kind, const Location& where) {
+  const std::string unit = heading_of(text).unit;
+  if (unit.empty()) return 1;
+  std::vector<std::string> known;
+  for (const KnownUnit& each : known_units) {
+    if (each.kind == kind && unit == each.name) return each.factor;
+    if (each.kind == kind) known.emplace_back(each.name);
+  }
+  constexpr const char* names[] = {"a stress", "a number", "a time", "a rate"};
+  throw InputError(where, "",
+                   "'" + unit + "' of the column '" + text + "' is no unit of " + names[static_cast<std::size_t>(kind)],
+                   joined(known));
 }
 
 }  // namespace
 
-void read_history_file(PathFunction& f, const std::string& name, const std::string& key) {
+void read_history_file(PathFunction& f, const std::string& name, const std::string& key, HistoryKind kind,
+                       HistoryKind time_kind) {
   const std::string text = read_input_file(f.file), wanted = f.column.empty() ? name : f.column;
   CsvLines lines(text, f.file);
   const auto header = lines.next();
@@ -90,8 +99,8 @@ void read_history_file(PathFunction& f, const std::string& name, const std::stri
   };
   const std::size_t times = column_of(f.time, "time"), values = column_of(wanted, "column");
   const Location head{f.file, lines.line(), 1};
-  const double time_unit = unit_value(heading_of(names[times]), names[times], head);
-  const double value_unit = unit_value(heading_of(names[values]), names[values], head);
+  const double time_unit = unit_value(names[times], time_kind, head);
+  const double value_unit = unit_value(names[values], kind, head);
   const CsvTable table = read_csv(text, f.file, {names[times], names[values]}, [&] {
     std::vector<std::string> others = names;
     std::erase(others, names[times]), std::erase(others, names[values]);

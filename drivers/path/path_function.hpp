@@ -41,8 +41,12 @@ std::string path_function_yaml(const PathFunction& function);
 /// where it ends where it does not say when.
 TimeFunction time_function_of(const PathFunction& function, double rest, double path_end);
 
+/// What a column measures: a unit in its header must be of that.
+enum class HistoryKind { stress, number, time, rate };
+
 /// Reads the file behind a function, whose values then stand in its table. `name`: of the row, which is the column
 /// where the scene names none. Throws InputError.
-void read_history_file(PathFunction& function, const std::string& name, const std::string& key);
+void read_history_file(PathFunction& function, const std::string& name, const std::string& key, HistoryKind kind,
+                       HistoryKind time_kind = HistoryKind::time);
 
 }  // namespace assay::drivers

@@ -76,9 +76,11 @@ std::map<std::string, std::string> path_pictures(const PathScene& scene, const s
   std::vector<std::string> states;
   const auto error = std::find(first.names.begin(), first.names.end(), "error");
   for (auto name = error == first.names.end() ? error : error + 1; name != first.names.end(); ++name) {
-    if (first.moves(*name)) states.push_back(*name);
+    const bool of_tensor = name->size() > 2 && name->find_first_not_of("123", name->size() - 2) == name->npos;
+    const auto k = static_cast<std::size_t>(name - first.names.begin());
+    if (first.units[k] == "1" && !of_tensor && first.moves(*name)) states.push_back(*name);
   }
-  add("path_state.png", plot_over(base, title + ": state of the model", "t", states));
+  add("path_state.png", plot_over(base, title + ": scalars of the state", "t", states, "[1]"));
   if (!scene.compare) return files;
   const PathComparison& compare = *scene.compare;
   const auto name_of = [](const PathQuantity& quantity) {

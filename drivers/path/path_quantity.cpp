@@ -25,6 +25,21 @@ std::optional<PathTerm> component_of(const std::string& word) {
   return std::nullopt;
 }
 
+/// Behind "e+9" of a number; where none is, as in "2 e11" or "2e11", the place itself.
+std::size_t behind_exponent(const std::string& text, std::size_t at) {
+  std::size_t end = at;
+  if (end == 0 || end >= text.size() || (text[end] != 'e' && text[end] != 'E')) return at;
+  if (!std::isdigit(static_cast<unsigned char>(text[end - 1])) && text[end - 1] != '.') return at;
+  ++end;
+  if (end < text.size() && (text[end] == '+' || text[end] == '-')) ++end;
+  const std::size_t digits = end;
+  while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end]))) ++end;
+  const bool goes_on = end < text.size() && (text[end] == ' ' || text[end] == '*');
+  const std::size_t next = goes_on ? text.find_first_not_of(" *", end) : text.npos;
+  const bool number = end > digits && next != text.npos && std::isalpha(static_cast<unsigned char>(text[next]));
+  return number ? end : at;
+}
+
 std::vector<PathTerm> terms_of(const std::string& word) {
   std::vector<PathTerm> terms;
   if (const auto one = component_of(word)) terms.push_back(*one);
@@ -65,6 +80,7 @@ std::optional<PathQuantity> parse_quantity(const std::string& text, std::string&
     }
     const std::size_t number = at;
     while (at < text.size() && (std::isdigit(static_cast<unsigned char>(text[at])) || text[at] == '.')) ++at;
+    at = behind_exponent(text, at);
     double factor = 1;
     if (at > number) {
       const auto value = parse_number(text.substr(number, at - number));

@@ -118,6 +118,12 @@ void read_stops(const Tree& tree, PathScene& scene) {
     scene.stops.push_back(read_stop(tree.items[i], item_path(path, i)));
 }
 
+HistoryKind kind_of(const PathQuantity& quantity) {
+  if (quantity.of_stress()) return HistoryKind::stress;
+  const bool rate = std::ranges::any_of(quantity.terms, [](const PathTerm& term) { return term.family == "L"; });
+  return rate ? HistoryKind::rate : HistoryKind::number;
+}
+
 void read_control(const Tree& tree, PathScene& scene) {
   const std::string path = "path.control";
   require_map(tree, path, "rows, as e11: 0.1 and s22: 0");
@@ -125,7 +131,7 @@ void read_control(const Tree& tree, PathScene& scene) {
     const std::string key = key_path(path, entry.key);
     PathRow row{quantity_of(entry.key, entry.key_where, key), read_path_function(entry.value, key),
                 PathRow::Origin::given, entry.key_where};
-    if (row.value.type == PathFunction::Type::file) read_history_file(row.value, entry.key, key);
+    if (row.value.type == PathFunction::Type::file) read_history_file(row.value, entry.key, key, kind_of(row.quantity));
     scene.rows.push_back(std::move(row));
   }
 }
@@ -175,7 +181,8 @@ void read_path(const Tree& tree, PathScene& scene) {
   if (!control) throw InputError(tree.where, "path.control", "required and not given");
   if (std::isfinite(confinement)) {
     if (!is_one_of(scene.type, {"triaxial", "undrained_triaxial"}))
-      throw InputError(tree.find("confinement")->where, "path.confinement", "belongs to path.type triaxial");
+      throw InputError(tree.find("confinement")->where, "path.confinement",
+                       "belongs to path.type triaxial and undrained_triaxial");
     if (tree.find("initial_stress"))
       throw InputError(tree.find("confinement")->where, "path.confinement", "cannot be combined with initial_stress");
     scene.confinement = confinement;
@@ -186,6 +193,7 @@ void read_path(const Tree& tree, PathScene& scene) {
   if (scene.end == 0) scene.end = 1;
   if (scene.end > most_seconds)
     throw InputError(control->where, "path.control", "goes on until " + number_text(scene.end) + " s: 1e9 s at most");
+  for (const PathRow& row : scene.rows) check_times(row, scene.end);
   set_measures(control->where, scene);
   complete_rows(scene, control->where);
   warn_of_swings(scene);
@@ -219,7 +227,8 @@ void read_compare(const Tree& tree, PathScene& scene) {
   compare.y_of_x.file = compare.file;
   compare.y_of_x.time = x_column.empty() ? x : x_column;
   compare.y_of_x.column = y_column;
-  read_history_file(compare.y_of_x, y, "compare");
+  read_history_file(compare.y_of_x, y, "compare", kind_of(compare.y),
+                    compare.x.terms.empty() ? HistoryKind::time : kind_of(compare.x));
   scene.compare = std::move(compare);
 }
 

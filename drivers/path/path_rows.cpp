@@ -11,6 +11,7 @@ namespace assay::drivers {
 
 namespace {
 
+constexpr double most_periods = 10'000;
 constexpr const char* all_components[] = {"11", "22", "33", "12", "13", "23", "21", "31", "32"};
 
 PathQuantity quantity_of(const std::string& text) {
@@ -143,6 +144,19 @@ void warn_of_swings(PathScene& scene) {
                              rounded_text(departure->lower, 5) + " and " + rounded_text(departure->upper, 5) +
                              "; interpolation: monotone does not");
   }
+}
+
+/// A function that has too many periods, or none of whose course lies on the path.
+void check_times(const PathRow& row, double end) {
+  const PathFunction& f = row.value;
+  const std::string key = "path.control." + row.quantity.text;
+  if (f.type == PathFunction::Type::ramp && f.begin >= end)
+    throw InputError(f.where, key_path(key, "begin"), "the path ends at " + number_text(end) + " s");
+  const bool waves = f.type == PathFunction::Type::sine || f.type == PathFunction::Type::cycles;
+  if (waves && end / f.period > most_periods)
+    throw InputError(
+        f.where, key_path(key, "period"),
+        rounded_text(end / f.period, 3) + " periods until the end: " + number_text(most_periods) + " at most");
 }
 
 Control control_of(const PathScene& scene) {

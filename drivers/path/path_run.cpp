@@ -67,6 +67,7 @@ std::string reason_of(const PathScene& scene, const ControlledHistory& history) 
              (is_rotation(history.direction) ? ", a rotation; use e, or hold a component of F"
                                              : "; hold it, or prescribe a stress that it changes");
     case ControlOutcome::material_failed:
+    case ControlOutcome::out_of_calls:
       return history.reason + at;
   }
   return history.reason;
@@ -136,10 +137,11 @@ PathRun run_path(const PathScene& scene, const Material& material, const std::fu
     for (const double value : values) largest = std::max(largest, std::abs(value));
     found.largest[run.table.names[k]] = largest;
   }
-  if (scene.compare) {
+  const bool whole = history.outcome == ControlOutcome::completed || history.outcome == ControlOutcome::stopped;
+  if (scene.compare && whole) {
     std::string fault;
     found.misfit = misfit(*scene.compare, run.table, fault);
-    if (!found.misfit) found.warnings.push_back("no misfit: " + fault);
+    if (!fault.empty()) found.warnings.push_back((found.misfit ? "misfit: " : "no misfit: ") + fault);
   }
   return run;
 }

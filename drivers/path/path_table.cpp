@@ -15,6 +15,7 @@ namespace assay::drivers {
 namespace {
 
 constexpr const char* nine[] = {"11", "12", "13", "21", "22", "23", "31", "32", "33"};
+constexpr double end_share = 1e-9;  ///< of the path: a measured value this near to its end lies on it
 constexpr int six_places[] = {0, 4, 8, 1, 2, 5};
 
 Tensor log_of_stretch(const Tensor& F) {
@@ -162,8 +163,9 @@ std::optional<double> misfit(const PathComparison& compare, const PathTable& tab
   double sum = 0, largest = 0;
   std::size_t counted = 0;
   for (std::size_t k = 0; k < compare.y_of_x.times.size(); ++k) {
-    const double at = (falls ? -1 : 1) * compare.y_of_x.times[k], measured = compare.y_of_x.values[k];
-    if (at < x.front() || at > x.back()) continue;
+    const double given = (falls ? -1 : 1) * compare.y_of_x.times[k], measured = compare.y_of_x.values[k];
+    const double at = std::clamp(given, x.front(), x.back());
+    if (std::abs(at - given) > end_share * (x.back() - x.front())) continue;
     const auto behind = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end() - 1, at) - x.begin());
     const std::size_t before = behind == 0 ? 0 : behind - 1;
     const double width = x[behind] - x[before], share = width > 0 ? (at - x[before]) / width : 1;
@@ -176,6 +178,9 @@ std::optional<double> misfit(const PathComparison& compare, const PathTable& tab
     fault = counted == 0 ? "no measured value lies on the path" : "all measured values are zero";
     return std::nullopt;
   }
+  const std::size_t all = compare.y_of_x.times.size();
+  if (counted < all)
+    fault = std::to_string(all - counted) + " of " + std::to_string(all) + " measured values lie beyond the path";
   return std::sqrt(sum / static_cast<double>(counted)) / largest;
 }
 

@@ -41,7 +41,7 @@ struct NamedTable {
 std::map<std::string, std::string> path_pictures(const PathScene& scene, const std::vector<NamedTable>& tables);
 
 /// Root mean square of the difference to the measured values, over their largest; none where the path does not come to
-/// them. fault: why.
+/// them. fault: why, or that some of them lie beyond it.
 std::optional<double> misfit(const PathComparison& compare, const PathTable& table, std::string& fault);
 
 }  // namespace assay::drivers

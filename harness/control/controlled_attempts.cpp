@@ -17,7 +17,7 @@ constexpr double lucky = 100;              ///< of what is allowed: an error wit
 constexpr double growing_noise = 1e-6;     ///< relative
 constexpr double no_better = 0.5;          ///< of the error of a step forty times as long
 constexpr double rounding_of_results = 4;  ///< results carry the rounding of many operations
-constexpr double most_noise = 1e6;         ///< in roundings
+constexpr double most_noise = 1e12;        ///< in roundings
 constexpr int most_wishes = 60;            ///< of a material for a shorter step, one after the other
 
 }  // namespace

@@ -39,6 +39,11 @@ void ControlledMarch::look_at_rest() {
     ended_ = true;
     return;
   }
+  for (const ControlStop& stop : control_.stops) {
+    const double sign = stop.when == ControlStop::When::below ? -1 : 1;
+    const bool of_bound = stop.when == ControlStop::When::above || stop.when == ControlStop::When::below;
+    if (of_bound && sign * (value_of(stop.quantity, now_) - stop.bound) >= 0) return stop_at(now_, stop.name);
+  }
   if (!options_.watch_ellipticity || material_.has(ASSAY_IN_PLANE)) return;
   try {
     const TangentModulus A =

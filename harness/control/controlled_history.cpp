@@ -15,11 +15,12 @@ constexpr double first_share = 1.0 / 16;    ///< of a piece: the first step to t
 constexpr double least_first_share = 1e-3;  ///< of a piece
 constexpr double limit_share = 1e-9;        ///< of a piece: a step this short beside a singular matrix is the last
 constexpr double jump_share = 1e-12;        ///< of the end: how long a jump takes
-constexpr int coarse_steps = 64;            ///< of a piece, by which the scales are found
-constexpr double coarse_shortest = 1e-4;    ///< of a piece
-constexpr double noisy_growth = 20;         ///< of a step that was taken although it is noisy
-constexpr double crossing_share = 1e-8;     ///< of a piece: a step over a change of regime
-constexpr int most_jumps = 100;             ///< beyond, the material is no function of its arguments
+constexpr std::size_t most_coarse_steps = 20'000;  ///< over all pieces
+constexpr int coarse_steps = 64;                   ///< of a piece, by which the scales are found
+constexpr double coarse_shortest = 1e-4;           ///< of a piece
+constexpr double noisy_growth = 20;                ///< of a step that was taken although it is noisy
+constexpr double crossing_share = 1e-8;            ///< of a piece: a step over a change of regime
+constexpr int most_jumps = 100;                    ///< beyond, the material is no function of its arguments
 
 double growth(int columns) { return columns <= 3 ? 3 : columns == 4 ? 2 : columns == 5 ? 1.3 : 0.8; }
 
@@ -63,6 +64,7 @@ void ControlledMarch::accept(const Piece& piece, double step, Attempt made) {
 /// After a step that was not exact enough, or not solved.
 void ControlledMarch::shorten(const Piece& piece, double step, const Attempt& made) {
   step_ = made.shorter * step;
+  if (refused_ && refused_->final) return end_stuck(piece, step);  // its process has ended: no shorter step would do
   const double shortest = coarse_ ? coarse_shortest : shortest_share;
   if (!coarse_ && !refused_ && step < limit_share && steps_.count() > 0 && at_limit(piece, step))
     return end_stuck(piece, step);
@@ -87,8 +89,8 @@ void ControlledMarch::shorten(const Piece& piece, double step, const Attempt& ma
 
 void ControlledMarch::advance(const Piece& piece, double to) {
   while (at_ < to && !ended_) {
-    if (steps_.calls() > options_.most_calls) {
-      history_.outcome = ControlOutcome::no_solution;
+    if (steps_.calls() - calls_before_ > options_.most_calls && !coarse_) {
+      history_.outcome = ControlOutcome::out_of_calls;
       history_.reason = "it takes more than " + std::to_string(options_.most_calls) + " calls of the model";
       ended_ = true;
       return;
@@ -139,7 +141,7 @@ void ControlledMarch::take_piece(const Piece& piece, std::span<const double> tim
   earlier_ = {};
   begin_regime(piece);
   if (coarse_) note_signs(piece);
-  step_ = coarse_ ? 1.0 / coarse_steps : step_ == 0 ? first_share : std::max(step_, least_first_share);
+  step_ = coarse_ ? 1.0 / coarse_steps_ : step_ == 0 ? first_share : std::max(step_, least_first_share);
   if (by_increments(piece)) step_ = 1.0 / options_.increments;
   for (const double t : times) {
     advance(piece, (t - piece.begin) / piece.width);
@@ -155,6 +157,7 @@ void ControlledMarch::take_piece(const Piece& piece, std::span<const double> tim
 void ControlledMarch::find_scales() {
   coarse_ = true;
   const std::size_t knots = control_.knots.size();
+  coarse_steps_ = std::clamp(static_cast<int>(most_coarse_steps / knots), 1, coarse_steps);
   widen_scales(now_);
   for (std::size_t k = 0; k < knots && !ended_; ++k) {
     Piece jump{control_.knots[k], jump_share * control_.length(), true};
@@ -176,7 +179,8 @@ void ControlledMarch::find_scales() {
 ControlledHistory ControlledMarch::run(std::span<const double> times) {
   look_at_rest();
   if (!ended_) find_scales();
-  if (!times.empty() && times[0] == control_.begin()) write_row(now_);
+  calls_before_ = steps_.calls();
+  if (!times.empty() && times[0] == control_.begin() && history_.rows.empty()) write_row(now_);
   std::size_t next = !times.empty() && times[0] == control_.begin() ? 1 : 0;
   const std::size_t knots = control_.knots.size();
   for (std::size_t k = 0; k < knots && !ended_; ++k) {

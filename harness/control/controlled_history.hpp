@@ -22,9 +22,10 @@ enum class ControlOutcome {
   no_solution,      ///< the same, and the matrix is regular: Newton's method finds no point
   undetermined,     ///< the rows leave a deformation free
   material_failed,  ///< the model refuses
+  out_of_calls,     ///< it would take more calls of the model than are allowed
 };
-constexpr std::array<const char*, 6> names_of(ControlOutcome) {
-  return {"completed", "stopped", "limit_load", "no_solution", "undetermined", "material_failed"};
+constexpr std::array<const char*, 7> names_of(ControlOutcome) {
+  return {"completed", "stopped", "limit_load", "no_solution", "undetermined", "material_failed", "out_of_calls"};
 }
 
 struct ControlOptions {

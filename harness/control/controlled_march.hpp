@@ -98,7 +98,8 @@ class ControlledMarch {
   Extrapolation extrapolation_;
   std::vector<double> scales_;
   std::array<double, 4> failed_errors_ = {};  ///< of the attempts before, the last one first
-  int jumps_ = 0, wishes_ = 0;
+  int jumps_ = 0, wishes_ = 0, coarse_steps_ = 1;
+  std::int64_t calls_before_ = 0;  ///< of the search for scales
   bool coarse_ = false, ended_ = false;
   RegimeReader regimes_;
   /// What shows changes of the material's regime.

@@ -111,8 +111,17 @@ double TimeFunction::integral(double t) const {
 std::vector<double> TimeFunction::knots(double end) const {
   std::vector<double> all;
   for (std::size_t k = 0; k < parts_.size(); ++k) {
-    const double t = parts_[k].begin;
-    if (t > 0 && t < end && (all.empty() || all.back() != t)) all.push_back(t);
+    const auto add = [&](double t) {
+      if (t > 0 && t < end && (all.empty() || t > all.back())) all.push_back(t);
+    };
+    const Part& part = parts_[k];
+    add(part.begin);
+    if (part.kind != Part::Kind::sine) continue;
+    // Its zeros and turning points: a step over some periods could meet the same value at every sub-step.
+    const double quarter = 0.25 * part.period, last = std::min(part.end, end);
+    const double first = std::ceil(part.phase / (0.5 * std::numbers::pi)) - part.phase / (0.5 * std::numbers::pi);
+    for (double k_quarter = first; part.begin + k_quarter * quarter < last; k_quarter += 1)
+      add(part.begin + k_quarter * quarter);
   }
   return all;
 }

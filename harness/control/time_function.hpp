@@ -29,7 +29,7 @@ class TimeFunction {
   double at(double t, bool after = false) const;
   /// Its integral from 0 to t.
   double integral(double t) const;
-  /// In (0, end), ascending: no step should go over one.
+  /// In (0, end), ascending: no step should go over one. Of a sine its zeros and turning points.
   std::vector<double> knots(double end) const;
   /// Times `factor`, plus `offset`.
   TimeFunction scaled(double factor, double offset = 0) const;

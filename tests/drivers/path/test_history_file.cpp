@@ -7,13 +7,14 @@
 namespace assay::drivers::test_history_file {
 namespace {
 
-PathFunction read(const std::string& text, const std::string& column, const std::string& time = "t") {
+PathFunction read(const std::string& text, const std::string& column, const std::string& time = "t",
+                  HistoryKind kind = HistoryKind::number) {
   const ScratchFolder scratch;
   PathFunction f;
   f.type = PathFunction::Type::file;
   f.file = scratch.write("data.csv", text), f.column = column, f.time = time;
   f.where = {"path.yaml", 3, 7};
-  read_history_file(f, column, "path.control.e11");
+  read_history_file(f, column, "path.control.e11", kind);
   return f;
 }
 
@@ -37,18 +38,23 @@ TEST(HistoryFile, ReadsWhatPeopleExport) {
 }
 
 TEST(HistoryFile, ConvertsTheUnitsOfItsHeader) {
-  EXPECT_EQ(read("time [ms],load (kPa)\n0,1\n2000,3\n", "load", "time").times, (Values{0, 2}));
-  EXPECT_EQ(read("time [ms],load (kPa)\n0,1\n2000,3\n", "load", "time").values, (Values{1000, 3000}));
+  EXPECT_EQ(read("time [ms],load (kPa)\n0,1\n2000,3\n", "load", "time", HistoryKind::stress).times, (Values{0, 2}));
+  EXPECT_EQ(read("time [ms],load (kPa)\n0,1\n2000,3\n", "load", "time", HistoryKind::stress).values,
+            (Values{1000, 3000}));
   EXPECT_EQ(read("t/min,e/%\n0,1\n2,3\n", "e").times, (Values{0, 120}));
   EXPECT_DOUBLE_EQ(read("t/min,e/%\n0,1\n2,3\n", "e").values[1], 0.03);
-  EXPECT_EQ(read("t [s],sigma [N/mm2]\n0,1\n2,3\n", "sigma").values, (Values{1e6, 3e6}));
-  EXPECT_EQ(read("t [s],sigma [N/mm2]\n0,1\n2,3\n", "sigma [N/mm2]").values, (Values{1e6, 3e6}));
+  EXPECT_EQ(read("t [s],sigma [N/mm2]\n0,1\n2,3\n", "sigma", "t", HistoryKind::stress).values, (Values{1e6, 3e6}));
+  EXPECT_EQ(read("t [s],sigma [N/mm2]\n0,1\n2,3\n", "sigma [N/mm2]", "t", HistoryKind::stress).values,
+            (Values{1e6, 3e6}));
 }
 
 TEST(HistoryFile, RefusesWithPlace) {
   const auto has = [](const std::string& text, const char* word) { return text.find(word) != text.npos; };
   EXPECT_TRUE(has(refusal_of("t,e\n0,1\n2,3\n", "x"), "has no column 'x'; known: t, e"));
-  EXPECT_TRUE(has(refusal_of("t,e [furlong]\n0,1\n2,3\n", "e"), "unknown unit 'furlong'"));
+  EXPECT_TRUE(has(refusal_of("t,e [furlong]\n0,1\n2,3\n", "e"),
+                  "'furlong' of the column 'e [furlong]' is no unit of a number"));
+  EXPECT_TRUE(has(refusal_of("t,e [kPa]\n0,1\n2,3\n", "e"), "is no unit of a number; known: 1, -, %"));
+  EXPECT_TRUE(has(refusal_of("t [MPa],e\n0,1\n2,3\n", "e"), "is no unit of a time"));
   EXPECT_TRUE(has(refusal_of("t,e\n0,1\n2,3\n1,4\n", "e"), "data.csv:4:1"));
   EXPECT_TRUE(has(refusal_of("t,e\n-1,1\n2,3\n", "e"), "must not be negative"));
   EXPECT_TRUE(has(refusal_of("t,e\n0,1\n0,2\n0,3\n", "e"), "three rows at one time"));

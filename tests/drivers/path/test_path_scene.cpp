@@ -74,6 +74,10 @@ TEST(PathScene, ReadsSums) {
   EXPECT_EQ(quantity.deformation.diagonal(), Vector3(1, 2, -0.5));
   EXPECT_EQ(control_quantity(*parse_quantity("volume", fault)).deformation, Tensor(Tensor::Identity()));
   EXPECT_EQ(control_quantity(*parse_quantity("s21", fault)).stress(0, 1), 1);
+  EXPECT_EQ(control_quantity(*parse_quantity("s22 + 2.0e+9 e22", fault)).deformation(1, 1), 2e9);
+  EXPECT_EQ(control_quantity(*parse_quantity("s22 + 2e9*e22", fault)).deformation(1, 1), 2e9);
+  EXPECT_EQ(control_quantity(*parse_quantity("2 e11", fault)).deformation(0, 0), 2);
+  EXPECT_EQ(control_quantity(*parse_quantity("2e11", fault)).deformation(0, 0), 2);
   EXPECT_EQ(control_quantity(*parse_quantity("P21", fault)).stress(1, 0), 1);
   for (const char* wrong : {"", "e11 e22", "e14", "x", "e11 +", "+", "1..2 e11", "e11 + q", "s1"})
     EXPECT_FALSE(parse_quantity(wrong, fault)) << wrong;
@@ -100,7 +104,9 @@ TEST(PathScene, RefusesWithOneLine) {
       {"{type: undrained_triaxial, control: {F11: 0.9}}", "takes e or L"},
       {"{type: triaxial, confinement: 5, initial_stress: [1, 2, 3, 4, 5, 6], control: {e11: 0.1}}",
        "cannot be combined"},
-      {"{type: biaxial, confinement: 5, control: {e11: 0.1}}", "belongs to path.type triaxial"},
+      {"{type: biaxial, confinement: 5, control: {e11: 0.1}}", "belongs to path.type triaxial and"},
+      {"{end: 1, control: {e11: {type: ramp, to: 1, begin: 2, end: 3}}}", "the path ends at 1 s"},
+      {"{control: {e11: {type: sine, amplitude: 1, period: 1.0e-12}}}", "10000 at most"},
       {"{control: {e11: 1}, stop: {peak: P11}}", "the path is controlled by s"},
       {"{control: {e11: 1}, stop: sometimes}", "loss_of_ellipticity"},
       {"{control: {e11: 1}, stop: {above: {e11: 1, e22: 2}}}", "takes one quantity"},

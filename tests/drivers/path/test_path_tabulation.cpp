@@ -110,6 +110,35 @@ TEST(PathTabulation, MeasuresWhatIncrementsCost) {
   EXPECT_LT(found.result["iso_error"]["largest"].get<double>(), 0.2);
 }
 
+/// Three periods between two rows: each half and third of a step meets the same value.
+TEST(PathTabulation, SeesASineThatFitsItsRows) {
+  const Found found = tabulated(plastic +
+                                "path: {type: uniaxial_stress, rows: 10, control: {e11: {type: sine, amplitude: "
+                                "0.03, period: 0.03333333333333333}}}\n");
+  EXPECT_EQ(found.status, 0);
+  EXPECT_GT(found.result["last"]["plastic_strain"].get<double>(), 1);
+}
+
+TEST(PathTabulation, StopsAtRestAndWhereItsCallsEnd) {
+  const std::string ramp = "path: {type: uniaxial_stress, control: {e11: {type: ramp, to: 1}}";
+  const Found rest = tabulated(plastic + ramp + ", stop: {above: {e11: -1}}}\n");
+  EXPECT_EQ(rest.result["t"], 0);
+  const Found few = tabulated(plastic + ramp + "}\n", {"path.calls=100"});
+  EXPECT_EQ(few.result["outcome"], "out_of_calls");
+  EXPECT_EQ(few.status, 1);
+}
+
+/// Of measured values on the path, the last one too; what lies beyond it is told.
+TEST(PathTabulation, CountsMeasuredValues) {
+  const std::string text = elastic +
+                           "path: {type: uniaxial_stress, control: {e11: {type: ramp, to: 0.02}}}\n"
+                           "compare: {file: data.csv, x: e11, y: s11, x_column: x, y_column: y}\n";
+  const Found whole = tabulated(text), part = tabulated(text, {"path.control.e11={type: ramp, to: 0.015}"});
+  EXPECT_TRUE(whole.result["warnings"].empty());
+  EXPECT_LT(whole.result["misfit"].get<double>(), 0.05);
+  EXPECT_EQ(part.result["warnings"][0], "misfit: 1 of 3 measured values lie beyond the path");
+}
+
 /// Another kind of file is named with its verb, and options that belong elsewhere are refused.
 TEST(PathTabulation, RefusesWhatBelongsElsewhere) {
   const ScratchFolder scratch;

@@ -52,6 +52,8 @@ TEST(TimeFunction, CyclesGrow) {
   EXPECT_EQ(f.at(7), -2);
   EXPECT_EQ(f.at(8), 0);
   EXPECT_EQ(f.at(9), 0);
+  EXPECT_EQ(TimeFunction::sine(0, 1, 4, 0).knots(4.5), (Times{1, 2, 3, 4}));
+  EXPECT_EQ(TimeFunction::sine(0, 1, 4, std::numbers::pi / 4).knots(3), (Times{0.5, 1.5, 2.5}));
   const TimeFunction smooth = TimeFunction::cycles(Times{3}, 2, false);
   EXPECT_DOUBLE_EQ(smooth.at(0.5), 3);
 }
