@@ -118,12 +118,6 @@ void read_stops(const Tree& tree, PathScene& scene) {
     scene.stops.push_back(read_stop(tree.items[i], item_path(path, i)));
 }
 
-HistoryKind kind_of(const PathQuantity& quantity) {
-  if (quantity.of_stress()) return HistoryKind::stress;
-  const bool rate = std::ranges::any_of(quantity.terms, [](const PathTerm& term) { return term.family == "L"; });
-  return rate ? HistoryKind::rate : HistoryKind::number;
-}
-
 void read_control(const Tree& tree, PathScene& scene) {
   const std::string path = "path.control";
   require_map(tree, path, "rows, as e11: 0.1 and s22: 0");

@@ -146,7 +146,12 @@ void warn_of_swings(PathScene& scene) {
   }
 }
 
-/// A function that has too many periods, or none of whose course lies on the path.
+HistoryKind kind_of(const PathQuantity& quantity) {
+  if (quantity.of_stress()) return HistoryKind::stress;
+  const bool rate = std::ranges::any_of(quantity.terms, [](const PathTerm& term) { return term.family == "L"; });
+  return rate ? HistoryKind::rate : HistoryKind::number;
+}
+
 void check_times(const PathRow& row, double end) {
   const PathFunction& f = row.value;
   const std::string key = "path.control." + row.quantity.text;

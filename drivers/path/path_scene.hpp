@@ -84,6 +84,9 @@ const std::vector<PathType>& path_types();
 /// The rows that the scene gives, those of its type, and one for each component that nobody names. Throws InputError.
 void complete_rows(PathScene& scene, const Location& where);
 
+/// What values of the quantity measure.
+HistoryKind kind_of(const PathQuantity& quantity);
+
 /// Throws InputError where a function has too many periods until the end, or begins behind it.
 void check_times(const PathRow& row, double end);
 
