@@ -35,7 +35,7 @@ foreach(scene IN LISTS scenes)
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
   # Watched, those of each kind of motion and of the paper are enough.
-  if(ASSAY_SANITIZE AND name MATCHES "^(models|methods|foreign|umat|frames|tabulate|standard|space/[^h]|motions/[ahrt]|paper/(table|vortex_sq))")
+  if(ASSAY_SANITIZE AND name MATCHES "^(models|methods|foreign|umat|frames|tabulate|standard|paths/iso|space/[^h]|motions/[ahrt]|paper/(table|vortex_sq))")
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
   # millions of particle-steps, or one of several of a kind
