@@ -116,7 +116,7 @@ TEST(PathTabulation, SeesASineThatFitsItsRows) {
                                 "path: {type: uniaxial_stress, rows: 10, control: {e11: {type: sine, amplitude: "
                                 "0.03, period: 0.03333333333333333}}}\n");
   EXPECT_EQ(found.status, 0);
-  EXPECT_GT(found.result["last"]["plastic_strain"].get<double>(), 1);
+  EXPECT_GT(found.result["last"]["plastic_strain"].get<double>(), 0.9);
 }
 
 TEST(PathTabulation, StopsAtRestAndWhereItsCallsEnd) {
