@@ -1,33 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The JSON Schema of paths, for editors.
+#include "drivers/path/path_schema.hpp"
 #include <nlohmann/json.hpp>
 
 #include "drivers/path/path_result.hpp"
-#include "drivers/path/path_schema.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_keys.hpp"
+#include "drivers/scene/schema_parts.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using namespace schema_parts;
 
-Json number() { return {{"type", "number"}}; }
-Json text() { return {{"type", "string"}}; }
 Json numbers(int least) { return {{"type", "array"}, {"items", number()}, {"minItems", least}}; }
-
-Json described(Json schema, const std::string& doc) {
-  schema["description"] = doc;
-  return schema;
-}
-
-Json object(Json properties, const std::vector<std::string>& required = {}) {
-  properties[merge_name] = Json::object();
-  Json out{{"type", "object"}, {"additionalProperties", false}, {"properties", properties}};
-  if (!required.empty()) out["required"] = required;
-  return out;
-}
 
 /// A map with one key that is a quantity.
 Json by_quantity(const Json& value) {

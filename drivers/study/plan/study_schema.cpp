@@ -7,33 +7,18 @@
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_keys.hpp"
+#include "drivers/scene/schema_parts.hpp"
 #include "drivers/study/plan/study.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json text() { return {{"type", "string"}}; }
-
-Json number() { return {{"type", "number"}}; }
+using namespace schema_parts;
 
 Json scalar() { return {{"type", Json::array({"string", "number", "boolean"})}}; }
 
 Json list_of(const Json& items) { return {{"type", "array"}, {"items", items}, {"minItems", 1}}; }
-
-Json described(Json schema, const std::string& doc) {
-  schema["description"] = doc;
-  return schema;
-}
-
-Json object(Json properties, const std::vector<std::string>& required = {}) {
-  properties[merge_name] = Json::object();
-  Json out{{"type", "object"}, {"additionalProperties", false}, {"properties", properties}};
-  if (!required.empty()) out["required"] = required;
-  return out;
-}
 
 /// No pattern: names may be numbers.
 Json map_of(const Json& values) {
