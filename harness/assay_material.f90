@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: BSD-3-Clause
-! The assay material ABI, version 1.1, in Fortran: assay_material.h line by line, and what makes a table of it. The
+! The assay material ABI, version 1.2, in Fortran: assay_material.h line by line, and what makes a table of it. The
 ! header is the reference of what the members mean; tests compare every size and offset with it.
 !
 ! Arrays of n points are a(n, components) here: point p is a(p, :), tensors by rows (tensor_of, rows_of).
@@ -9,12 +9,13 @@ module assay_abi
   implicit none
   public
 
-  integer(c_int32_t), parameter :: assay_abi_major = 1, assay_abi_minor = 1
+  integer(c_int32_t), parameter :: assay_abi_major = 1, assay_abi_minor = 2
   integer(c_size_t), parameter :: assay_batch_max = 4096, assay_message_size = 512
   integer(c_int32_t), parameter :: assay_failed = -1, assay_doubtful = 0, assay_good = 1
   ! Kinds and roles of a state variable.
   integer(c_int32_t), parameter :: assay_scalar = 0, assay_vector = 1, assay_symmetric_tensor = 2, assay_tensor = 3
-  integer(c_int32_t), parameter :: assay_role_plain = 0, assay_role_rotates_itself = 1, assay_role_direction = 2
+  integer(c_int32_t), parameter :: assay_role_plain = 0, assay_role_rotates_itself = 1, assay_role_direction = 2, &
+    assay_role_field = 3
   integer(c_int32_t), parameter :: assay_isotropic = 0, assay_cylindrically_orthotropic = 1, assay_anisotropic = 2
   ! Class of an anisotropic material, for assay_symmetry.
   integer(c_int32_t), parameter :: assay_monoclinic = 1, assay_orthotropic = 2, assay_trigonal = 3, &

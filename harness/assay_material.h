@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The assay material ABI, version 1.1: the only header that a plug-in needs.
+/* The assay material ABI, version 1.2: the only header that a plug-in needs.
  *
  * A plug-in is a shared library that exports one symbol, `assay_material_entry`. It returns tables of metadata and
  * functions. Pure C11; also compiles as C++17 and C++20. SI units throughout.
@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 #define ASSAY_ABI_MAJOR 1
-#define ASSAY_ABI_MINOR 1
+#define ASSAY_ABI_MINOR 2
 #define ASSAY_BATCH_MAX 4096
 #define ASSAY_MESSAGE_SIZE 512
 #define ASSAY_ENTRY_SYMBOL "assay_material_entry"
@@ -54,7 +54,10 @@ enum {
   ASSAY_ROLE_ROTATES_ITSELF = 1,  /* the model keeps it in a frame of its own: not to be rotated by the host */
   /* vector: unit reference direction of the material, filled by the host; of several the second lies a right angle
    * about E3 further (E1 where the first is along E3), the third at right angles to both */
-  ASSAY_ROLE_DIRECTION = 2
+  ASSAY_ROLE_DIRECTION = 2,
+  /* since 1.2. scalar: a field of the surroundings, as temperature, that the host prescribes. initial_state writes its
+   * usual value. In a step state0 holds its value at t, and state1 holds on entry that at t + dt, which stays there */
+  ASSAY_ROLE_FIELD = 3
 };
 
 /* One state variable; they lie one after another, in declared order, in the state array. */

@@ -99,6 +99,8 @@ void Simulation<Dim>::fill() {
     const double volume = seeds.volume(p);
     s.column(Column::mass)[p] = s.setup.density * volume;
     s.column(Column::volume)[p] = volume;
+    for (int c = 0; s.setup.is_stressed() && c < stress_components<Dim>; ++c)
+      s.column(Column::stress, c)[p] = component(s.setup.initial_cauchy, static_cast<int>(stress_row<Dim>(c)));
     if (!s.setup.motion && !s.setup.initial_velocity) continue;
     const Vector3 v = initial_velocity(s.setup, X);
     for (int d = 0; d < Dim; ++d) s.column(Column::velocity, d)[p] = v(d);

@@ -36,6 +36,7 @@ class ForeignCalls {
     return of_each_point(self, n, [&](ForeignCalls& s, std::size_t p) {
       const Tensor stress = tensor_at(cauchy, n, p);
       s.bridge_.initial_state(stress, s.state0_.data());
+      for (std::size_t k = 0; k < s.usual_fields_.size(); ++k) s.state0_[s.fields_at() + k] = s.usual_fields_[k].value;
       if (!stress.isZero(0)) s.require_carried(stress);
       for (std::size_t c = 0; c < s.state0_.size(); ++c) state[c * n + p] = s.state0_[c];
     });
@@ -83,13 +84,17 @@ class ForeignCalls {
     for (const assay_state_variable& v : table.state_list) size += static_cast<std::size_t>(components_of_kind(v.kind));
     state0_.resize(size);
     state1_.resize(size);
+    usual_fields_ = varying_fields(table.model);
   }
+
+  /// Where the fields lie, behind all else of a state.
+  std::size_t fields_at() const { return state0_.size() - usual_fields_.size(); }
 
   /// A law of F alone knows nothing of an initial stress: a step in which nothing happens must return it.
   void require_carried(const Tensor& cauchy) {
     constexpr double moment = 1e-9, carried = 1e-3;  // [s], [1]
     constexpr double I[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-    std::vector<double> after(state0_.size());
+    std::vector<double> after = state0_;
     double found[9], factor = 1;
     std::int32_t status = ASSAY_GOOD;
     char message[ASSAY_MESSAGE_SIZE] = "";
@@ -128,8 +133,11 @@ class ForeignCalls {
       mark_point(p);
       PointEnd end;
       end.state1 = state1_.data();
+      for (std::size_t c = fields_at(); c < state1_.size(); ++c) state1_[c] = state1[c * n + p];
       try {
-        bridge_.update(point_at(step, n, p, state0), end);
+        PointStep at_point = point_at(step, n, p, state0);
+        at_point.fields1 = state1_.data() + fields_at();
+        bridge_.update(at_point, end);
       } catch (const std::exception& error) {
         end.status = ASSAY_FAILED;
         end.message = error.what();
@@ -152,9 +160,11 @@ class ForeignCalls {
     message[text.copy(message, ASSAY_MESSAGE_SIZE - 1)] = '\0';
   }
 
+  /// With the fields at its beginning throughout.
   PointStep point_at(const assay_step& step, std::size_t n, std::size_t p, const double* state0) {
     for (std::size_t c = 0; c < state0_.size(); ++c) state0_[c] = state0[c * n + p];
-    return {step.t, step.dt, tensor_at(step.F0, n, p), tensor_at(step.F1, n, p), state0_.data(), p};
+    const double* fields = state0_.data() + fields_at();
+    return {step.t, step.dt, tensor_at(step.F0, n, p), tensor_at(step.F1, n, p), state0_.data(), p, fields, fields};
   }
 
   /// One call at a time, of all instances of the library: its state of its own is one.
@@ -166,6 +176,7 @@ class ForeignCalls {
   const ForeignTable& table_;
   Bridge bridge_;
   std::vector<double> state0_, state1_;
+  std::vector<ForeignField> usual_fields_;
   std::string reason_;
 };
 

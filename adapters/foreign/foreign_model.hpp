@@ -11,8 +11,16 @@
 
 namespace assay::adapters {
 
-enum class ForeignInterface { umat, vumat, mfront };
-constexpr std::array<const char*, 3> names_of(ForeignInterface) { return {"umat", "vumat", "mfront"}; }
+enum class ForeignInterface {
+  umat,     ///< of Abaqus/Standard
+  vumat,    ///< of Abaqus/Explicit
+  mfront,   ///< generic behaviours
+  usermat,  ///< of Ansys
+  lsdyna,   ///< umat41 to umat50
+};
+constexpr std::array<const char*, 5> names_of(ForeignInterface) {
+  return {"umat", "vumat", "mfront", "usermat", "lsdyna"};
+}
 
 /// How a step becomes a strain increment and a rotation.
 enum class Kinematics {
@@ -55,7 +63,7 @@ constexpr std::array<const char*, 6> names_of(ForeignVariable::Kind) {
   return {"scalar", "vector", "symmetric_tensor", "strain", "tensor", "mandel"};
 }
 
-/// A field of the host, constant: PREDEF, or an external state variable of MFront.
+/// A field of the host: PREDEF, or an external state variable of MFront.
 struct ForeignField {
   std::string name;
   double value = 0;
@@ -79,14 +87,17 @@ struct ForeignModel {
   std::string doc, version, licence;
   std::vector<ForeignProperty> properties;
   std::vector<ForeignVariable> state;
-  std::vector<int> components{6};  ///< NTENS that the model serves: 6, 4 (plane strain) or both
+  std::vector<int> components{6};  ///< NTENS that the model serves: 6, 4 (plane strain) or both; or 3 (plane stress)
+  double thickness = 0.5;          ///< of plane stress: Poisson's ratio of the change of thickness
   ModelUnits units;
   std::vector<ForeignField> fields;
-  double temperature = 0;               ///< in the model's own scale
-  double characteristic_length = 1;     ///< CELENT, charLength, in units of the model
-  double density = 1000;                ///< [kg/m^3], for interfaces that hand it on
-  std::string material_name = "ASSAY";  ///< CMNAME
-  std::string folder = {};              ///< GETOUTDIR; empty: that of the library
+  std::vector<std::string> varying = {};      ///< names of fields, and of the temperature, that a path may change
+  std::string hypothesis = "Tridimensional";  ///< of MFront: which function of the behaviour is called
+  double temperature = 0;                     ///< in the model's own scale
+  double characteristic_length = 1;           ///< CELENT, charLength, in units of the model
+  double density = 1000;                      ///< [kg/m^3], for interfaces that hand it on
+  std::string material_name = "ASSAY";        ///< CMNAME
+  std::string folder = {};                    ///< GETOUTDIR; empty: that of the library
   ForeignInterface interface = ForeignInterface::umat;
   Kinematics kinematics = Kinematics::objective;
   Axes axes = Axes::fixed;
@@ -95,6 +106,7 @@ struct ForeignModel {
   int material_class = 0;          ///< of assay_symmetry, of what is anisotropic; 0: none is declared
   std::uint32_t flags = 0;         ///< of the ABI
   int step = 1;                    ///< KSTEP
+  int arguments = 18;              ///< of a routine of LS-DYNA; 16 in older releases
   int element = 1, point = 1;      ///< NOEL, NPT
   bool each_its_element = false;   ///< NOEL counts points, as they begin
   bool finite_strain = false;      ///< the tangent is that of J sigma (Jaumann), and the model may read F alone
@@ -102,6 +114,7 @@ struct ForeignModel {
   bool components_are_said = true;
   bool symmetry_is_said = true;
   bool flags_are_said = true;
+  bool units_are_said = true;
   bool temperature_is_said = false;
 };
 

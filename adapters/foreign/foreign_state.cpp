@@ -77,9 +77,11 @@ std::array<char, 80> cmname_of(const ForeignModel& model) {
   return name;
 }
 
-bool serves_all_components(const ForeignModel& model) {
-  return std::find(model.components.begin(), model.components.end(), 6) != model.components.end();
-}
+int components_served(const ForeignModel& model) { return std::ranges::max(model.components); }
+
+bool is_of_plane_stress(const ForeignModel& model) { return components_served(model) == 3; }
+
+bool serves_all_components(const ForeignModel& model) { return components_served(model) == 6; }
 
 void require_served(const ForeignModel& model, const Tensor& F0, const Tensor& F1) {
   if (serves_all_components(model)) return;
@@ -88,7 +90,10 @@ void require_served(const ForeignModel& model, const Tensor& F0, const Tensor& F
     return std::max({std::abs(F(0, 2)), std::abs(F(1, 2)), std::abs(F(2, 0)), std::abs(F(2, 1))});
   };
   if (std::max(out_of_plane(F0), out_of_plane(F1)) > nothing) {
-    throw PointFailure("the model serves plane strain alone (NTENS = 4), and this step shears out of the plane");
+    const char* served = is_of_plane_stress(model)                     ? "plane stress alone (NTENS = 3)"
+                         : model.interface == ForeignInterface::mfront ? "deformations in the plane alone"
+                                                                       : "plane strain alone (NTENS = 4)";
+    throw PointFailure(std::string("the model serves ") + served + ", and this step shears out of the plane");
   }
 }
 

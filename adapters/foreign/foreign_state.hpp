@@ -50,6 +50,9 @@ inline void write_tensor(const Tensor& A, const std::array<Pair, 9>& order, doub
   for (std::size_t k = 0; k < 9; ++k) out[k * stride] = A(order[k][0], order[k][1]);
 }
 
+/// Fortran's order of a matrix.
+inline void write_column_major(const Tensor& A, double* out) { Eigen::Map<Tensor>(out, 3, 3) = A; }
+
 /// The names of a list's elements, "a, b".
 std::string listed_names(const auto& list) {
   std::string names;
@@ -87,10 +90,13 @@ void from_foreign(const StateLayout& layout, const std::vector<ForeignVariable>&
 /// Initial values of the declared variables: of a tensor as the description gives them, in our order.
 void write_initial(const std::vector<ForeignVariable>& variables, double* ours);
 
-/// Whether NTENS = 6 is served; else plane strain alone.
+/// NTENS that it is called with: the largest that it serves.
+int components_served(const ForeignModel& model);
+/// 3; a plane model else, where not all components are served, has 4.
+bool is_of_plane_stress(const ForeignModel& model);
 bool serves_all_components(const ForeignModel& model);
 
-/// Throws PointFailure where a model of plane strain is to shear out of the plane.
+/// Throws PointFailure where a model of a plane is to shear out of it.
 void require_served(const ForeignModel& model, const Tensor& F0, const Tensor& F1);
 
 /// "0.25": for messages.

@@ -3,12 +3,16 @@
 
 #include <dlfcn.h>
 
+#include <array>
+
 #include "adapters/elf_symbols.hpp"
 #include "adapters/foreign/foreign_calls.hpp"
 #include "adapters/foreign/foreign_library.hpp"
 #include "adapters/foreign/foreign_state.hpp"
+#include "adapters/foreign/lsdyna.hpp"
 #include "adapters/foreign/mfront.hpp"
 #include "adapters/foreign/umat.hpp"
+#include "adapters/foreign/usermat.hpp"
 #include "adapters/foreign/vumat.hpp"
 
 namespace assay::adapters {
@@ -48,7 +52,8 @@ std::vector<ForeignVariable> bind(ForeignTable& table) {
 
 /// Whether the model keeps its tensors in axes of its own.
 bool rotates_itself(const ForeignModel& model, bool own) {
-  if (model.interface == ForeignInterface::umat) return model.axes == Axes::corotational;
+  if (model.interface != ForeignInterface::vumat && model.interface != ForeignInterface::mfront)
+    return model.axes == Axes::corotational;
   return model.interface == ForeignInterface::vumat || !(model.finite_strain && own);
 }
 
@@ -69,6 +74,9 @@ void write_lists(ForeignTable& table, const std::vector<ForeignVariable>& state)
     const std::int32_t role = tensor && rotates_itself(model, k < own) ? ASSAY_ROLE_ROTATES_ITSELF : ASSAY_ROLE_PLAIN;
     table.state_list.push_back({kept(table, state[k].name), kept(table, state[k].unit), abi_kind(state[k].kind), role,
                                 kept(table, state[k].doc)});
+  }
+  for (const ForeignField& field : varying_fields(model)) {
+    table.state_list.push_back({kept(table, field.name), "", ASSAY_SCALAR, ASSAY_ROLE_FIELD, "field of the host"});
   }
   table.parameter_count = static_cast<std::uint32_t>(table.parameter_list.size());
   table.parameters = table.parameter_list.data();
@@ -103,13 +111,17 @@ void begin_analysis(void* library) {
 std::vector<ForeignVariable> bind_interface(ForeignTable& table) {
   const ForeignInterface interface = table.model.interface;
   if (interface != ForeignInterface::mfront) {
-    table.entry = entry_of(table, names_of(interface)[static_cast<std::size_t>(interface)]);
+    const char* word = names_of(interface)[static_cast<std::size_t>(interface)];
+    table.entry = entry_of(table, interface == ForeignInterface::lsdyna ? "umat" : word);
+    if (interface == ForeignInterface::usermat) return bind<Usermat>(table);
+    if (interface == ForeignInterface::lsdyna) return bind<Lsdyna>(table);
     begin_analysis(table.library);
     return interface == ForeignInterface::umat ? bind<Umat>(table) : bind<Vumat>(table);
   }
   const std::vector<std::string> known = mfront_behaviours(table.model.library);
   if (table.model.symbol.empty() && known.size() == 1) table.model.symbol = known.front();
-  table.behaviour = std::make_shared<MfrontBehaviour>(mfront_behaviour(table.library, table.model.symbol, known));
+  table.behaviour = std::make_shared<MfrontBehaviour>(
+      mfront_behaviour(table.library, table.model.symbol, known, table.model.hypothesis));
   table.entry = table.behaviour->entry;
   Mfront::describe(*table.behaviour, table.model);
   return bind<Mfront>(table);
@@ -127,13 +139,33 @@ void require_sound(const ForeignTable& table) {
 
 }  // namespace
 
+std::vector<ForeignField> varying_fields(const ForeignModel& model) {
+  std::vector<ForeignField> all;
+  for (const std::string& name : model.varying) {
+    const auto field = std::ranges::find(model.fields, name, &ForeignField::name);
+    const bool is_temperature = model.interface != ForeignInterface::mfront && name == temperature_field;
+    if (!is_temperature && field == model.fields.end()) {
+      const std::string names = listed_names(model.fields);
+      throw ModelRefused("varying." + name, "the model has no field of that name",
+                         temperature_field + (names.empty() ? "" : ", " + names));
+    }
+    all.push_back({name, is_temperature ? model.temperature : field->value});
+  }
+  return all;
+}
+
+std::optional<std::size_t> place_of_varying(const ForeignModel& model, const std::string& name) {
+  const auto found = std::ranges::find(model.varying, name);
+  if (found == model.varying.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - model.varying.begin());
+}
+
 std::size_t bridge_variables(const ForeignModel& model) {
   ForeignModel bare = model;
   bare.state.clear();
-  const auto state_of = model.interface == ForeignInterface::umat    ? Umat::state_of
-                        : model.interface == ForeignInterface::vumat ? Vumat::state_of
-                                                                     : Mfront::state_of;
-  return state_of(bare).size();
+  // in the order of the interfaces
+  constexpr std::array state_of{Umat::state_of, Vumat::state_of, Mfront::state_of, Usermat::state_of, Lsdyna::state_of};
+  return state_of[static_cast<std::size_t>(model.interface)](bare).size();
 }
 
 // weak: libassay has another in its place

@@ -8,6 +8,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,6 +24,16 @@ namespace assay::adapters {
 /// Loads the library into this process and binds its entry point; what metadata can tell is filled in. The table lives
 /// as long as the process. Throws ModelRefused.
 const assay_material* foreign_table(const ForeignModel& model);
+
+/// What `varying` calls TEMP, tempOld and tempNew.
+inline const std::string temperature_field = "temperature";
+
+/// The fields of a model that may vary, in the order of its state: values as its description has them. Throws
+/// ModelRefused: a name that is none of its fields.
+std::vector<ForeignField> varying_fields(const ForeignModel& model);
+
+/// Of the field of that name among them; nothing where it does not vary.
+std::optional<std::size_t> place_of_varying(const ForeignModel& model, const std::string& name);
 
 /// Variables of a point's state that the bridge keeps beside those of the model, before them.
 std::size_t bridge_variables(const ForeignModel& model);
@@ -49,7 +60,8 @@ struct PointStep {
   double t, dt;
   Tensor F0, F1;
   const double* state0;
-  std::size_t number;  ///< in its batch, from 0
+  std::size_t number;               ///< in its batch, from 0
+  const double *fields0, *fields1;  ///< of ForeignModel::varying, at both ends
 };
 
 struct PointEnd {

@@ -22,16 +22,11 @@ enum Scalar : std::size_t { rdt, speed_of_sound, scalar_count };
 
 using Kind = ForeignVariable::Kind;
 
-std::size_t size_of(const std::vector<MfrontVariable>& variables) {
-  std::size_t size = 0;
-  for (const MfrontVariable& variable : variables)
-    size += static_cast<std::size_t>(components_of(mfront_kind(variable)));
-  return size;
-}
-
 std::size_t properties_of(const MfrontBehaviour& behaviour) {
   return behaviour.prepended.size() + behaviour.properties.size();
 }
+
+constexpr int always_tridimensional = 24;  ///< beside the kind of a variable
 
 }  // namespace
 
@@ -47,7 +42,7 @@ std::vector<ForeignVariable> Mfront::state_of(const ForeignModel& model) {
 
 /// Where a behaviour keeps its own state: outputs at the end of a step, inputs at its beginning.
 void Mfront::add_own(Arrays& a, const auto& add) {
-  a.forces = add("the thermodynamic forces", 6);
+  a.forces = add("the thermodynamic forces", behaviour_.symmetric);
   a.internal = add("the internal state variables", size_of(behaviour_.internal));
   a.stored = add("the stored energy", 1);
   a.dissipated = add("the dissipated energy", 1);
@@ -59,6 +54,18 @@ Mfront::Mfront(const ForeignTable& table, const double* properties)
       behaviour_(*table.behaviour),
       given_(properties, properties + table.model.properties.size()) {
   const std::string at_end = " at the end", at_beginning = " at the beginning";
+  std::size_t next = 0;
+  const auto source_of = [&](const std::string& name) {
+    const auto at = place_of_varying(model_, name);
+    return at ? Source{*at, true} : Source{next++};
+  };
+  for (const std::string& name : behaviour_.prepended) properties_.push_back(source_of(name));
+  for (const MfrontVariable& property : behaviour_.properties) properties_.push_back(source_of(property.name));
+  parameters_ = next;
+  next += behaviour_.parameters.size();
+  if (behaviour_.temperature) externals_.push_back(source_of(mfront_temperature));
+  for (const MfrontVariable& variable : behaviour_.external)
+    externals_.push_back(mfront_kind(variable) == Kind::scalar ? source_of(variable.name) : Source{});
   add_own(end_, [&](const char* words, std::size_t size) { return arrays_.add(words + at_end, size); });
   operator_ = arrays_.add("K", operator_size);
   scalars_ = arrays_.add("the scalars", scalar_count);
@@ -75,7 +82,8 @@ void Mfront::add_inputs(Arrays& a, const std::string& when) {
   const auto input = [&](WrittenInput name, const char* words, std::size_t size) {
     return inputs_.add_array(arrays_, words + when, size, name);
   };
-  a.gradients = input(written_gradients, "the gradients", model_.finite_strain ? 9 : 6);
+  a.gradients =
+      input(written_gradients, "the gradients", model_.finite_strain ? behaviour_.tensor : behaviour_.symmetric);
   a.density = input(written_others, "the mass density", 1);
   a.properties = input(written_properties, "the material properties", properties_of(behaviour_));
   a.external = input(written_others, "the external state variables",
@@ -90,7 +98,7 @@ MfrontState Mfront::pointers(const Arrays& a) {
 /// The library keeps parameters for itself, one set for all instances.
 void Mfront::set_parameters() {
   if (behaviour_.parameters.empty() || table_.last_set == given_) return;
-  const double* values = given_.data() + properties_of(behaviour_);
+  const double* values = given_.data() + parameters_;
   for (std::size_t k = 0; k < behaviour_.parameters.size(); ++k) {
     const auto& parameter = behaviour_.parameters[k];
     if (behaviour_.set_parameter) {
@@ -113,32 +121,36 @@ void Mfront::initial_state(const Tensor& cauchy, double* state) {
 void Mfront::hand_over(const PointStep& step, double request) {
   set_parameters();
   F1_ = step.F1;
+  require_served(model_, step.F0, step.F1);
   if (model_.finite_strain) {
-    write_tensor(step.F0, mfront_tensor_order, arrays_[begin_.gradients]);
-    write_tensor(step.F1, mfront_tensor_order, arrays_[end_.gradients]);
+    put_gradient(step.F0, arrays_[begin_.gradients]);
+    put_gradient(step.F1, arrays_[end_.gradients]);
   } else {
     const StepStrain now = logarithmic_strain_of(step.F1);
     R1_ = now.rotation;
-    write_symmetric(logarithmic_strain_of(step.F0).strain, standard_order, mfront_shear, arrays_[begin_.gradients]);
-    write_symmetric(now.strain, standard_order, mfront_shear, arrays_[end_.gradients]);
+    put_symmetric(logarithmic_strain_of(step.F0).strain, arrays_[begin_.gradients]);
+    put_symmetric(now.strain, arrays_[end_.gradients]);
   }
   const double unit = model_.units.stress;
   const Tensor before = read_symmetric(step.state0 + own_force, standard_order, plain_shear) / unit;
-  for (const Arrays& a : {begin_, end_}) {
-    write_symmetric(before, standard_order, mfront_shear, arrays_[a.forces]);
+  const Arrays ends[] = {begin_, end_};
+  for (const Arrays& a : ends) {
+    put_symmetric(before, arrays_[a.forces]);
     arrays_[a.density][0] = model_.density;
-    std::copy_n(given_.data(), properties_of(behaviour_), arrays_[a.properties]);
-    to_foreign(layout, model_.state, step.state0 + own_state, arrays_[a.internal]);
+    const double* varying = &a == &ends[1] ? step.fields1 : step.fields0;
+    const auto value = [&](const Source& source) { return (source.varies ? varying : given_.data())[source.place]; };
+    for (std::size_t k = 0; k < properties_.size(); ++k) arrays_[a.properties][k] = value(properties_[k]);
+    give_internal(step.state0 + own_state, arrays_[a.internal]);
     arrays_[a.stored][0] = step.state0[own_stored] / unit;
     arrays_[a.dissipated][0] = step.state0[own_dissipated] / unit;
     arrays_.fill(a.external, 0);
-    const double* external = given_.data() + properties_of(behaviour_) + behaviour_.parameters.size();
     double* out = arrays_[a.external];
-    if (behaviour_.temperature) *out++ = *external++;
+    auto source = externals_.begin();
+    if (behaviour_.temperature) *out++ = value(*source++);
     for (const MfrontVariable& variable : behaviour_.external) {
-      const bool scalar = mfront_kind(variable) == Kind::scalar;
-      if (scalar) *out = *external++;
-      out += components_of(mfront_kind(variable));
+      if (mfront_kind(variable) == Kind::scalar) *out = value(*source);
+      ++source;
+      out += size_of({variable});
     }
   }
   arrays_.fill(operator_, 0);
@@ -168,8 +180,60 @@ std::int32_t Mfront::call(double dt) {
   return status;
 }
 
-Tensor Mfront::force() const {
-  return model_.units.stress * read_symmetric(arrays_[end_.forces], standard_order, mfront_shear);
+Tensor Mfront::force() const { return model_.units.stress * symmetric_at(arrays_[end_.forces]); }
+
+/// The first of the six components are those of the plane.
+void Mfront::put_symmetric(const Tensor& A, double* out) const {
+  double six[6];
+  write_symmetric(A, standard_order, mfront_shear, six);
+  std::copy_n(six, behaviour_.symmetric, out);
+}
+
+Tensor Mfront::symmetric_at(const double* in) const {
+  double six[6] = {};
+  std::copy_n(in, behaviour_.symmetric, six);
+  return read_symmetric(six, standard_order, mfront_shear);
+}
+
+void Mfront::put_gradient(const Tensor& F, double* out) const {
+  double nine[9];
+  write_tensor(F, mfront_tensor_order, nine);
+  std::copy_n(nine, behaviour_.tensor, out);
+}
+
+std::size_t Mfront::size_of(const std::vector<MfrontVariable>& variables) const {
+  std::size_t size = 0;
+  for (const MfrontVariable& variable : variables) {
+    const Kind kind = mfront_kind(variable);
+    const bool whole = variable.type >= always_tridimensional;
+    const std::size_t vector = behaviour_.symmetric == 6 ? 3 : 2;
+    size += whole || kind == Kind::scalar    ? static_cast<std::size_t>(components_of(kind))
+            : kind == Kind::symmetric_tensor ? behaviour_.symmetric
+            : kind == Kind::tensor           ? behaviour_.tensor
+                                             : vector;
+  }
+  return size;
+}
+
+void Mfront::give_internal(const double* ours, double* theirs) const {
+  std::vector<double> whole(static_cast<std::size_t>(foreign_state_size(model_.state)));
+  to_foreign(layout, model_.state, ours, whole.data());
+  const double* from = whole.data();
+  for (const MfrontVariable& variable : behaviour_.internal) {
+    theirs = std::copy_n(from, size_of({variable}), theirs);
+    from += components_of(mfront_kind(variable));
+  }
+}
+
+void Mfront::take_internal(const double* theirs, double* ours) const {
+  std::vector<double> whole(static_cast<std::size_t>(foreign_state_size(model_.state)));
+  double* to = whole.data();
+  for (const MfrontVariable& variable : behaviour_.internal) {
+    const std::size_t size = size_of({variable});
+    std::copy_n(theirs, size, to);
+    theirs += size, to += components_of(mfront_kind(variable));
+  }
+  from_foreign(layout, model_.state, whole.data(), ours);
 }
 
 void Mfront::update(const PointStep& step, PointEnd& end) {
@@ -181,19 +245,19 @@ void Mfront::update(const PointStep& step, PointEnd& end) {
   write_symmetric(found, standard_order, plain_shear, end.state1 + own_force);
   end.state1[own_stored] = model_.units.stress * arrays_[end_.stored][0];
   end.state1[own_dissipated] = model_.units.stress * arrays_[end_.dissipated][0];
-  from_foreign(layout, model_.state, arrays_[end_.internal], end.state1 + own_state);
+  take_internal(arrays_[end_.internal], end.state1 + own_state);
 }
 
 void Mfront::tangent(const PointStep& step, double* tangent) {
   hand_over(step, consistent_operator);
   call(step.dt);
-  const std::size_t columns = model_.finite_strain ? 9 : 6;
+  const std::size_t columns = model_.finite_strain ? behaviour_.tensor : behaviour_.symmetric;
   const double* K = arrays_[operator_];
   const Tensor T = force();
   /// K on the rate of the gradient.
   const auto rate_of_force = [&](const double* gradient) {
     double s[6] = {};
-    for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t i = 0; i < behaviour_.symmetric; ++i) {
       for (std::size_t j = 0; j < columns; ++j) s[i] += K[i * columns + j] * gradient[j];
     }
     return Tensor(model_.units.stress * read_symmetric(s, standard_order, mfront_shear));

@@ -67,12 +67,26 @@ class Mfront {
   void hand_over(const PointStep& step, double request);
   std::int32_t call(double dt);
   Tensor force() const;
+  void put_symmetric(const Tensor& A, double* out) const;
+  Tensor symmetric_at(const double* in) const;
+  void put_gradient(const Tensor& F, double* out) const;
+  std::size_t size_of(const std::vector<MfrontVariable>& variables) const;
+  /// Of the internal variables of a point, between our state and the behaviour's.
+  void give_internal(const double* ours, double* theirs) const;
+  void take_internal(const double* theirs, double* ours) const;
   MfrontState pointers(const Arrays& arrays);
 
   const ForeignTable& table_;
   const ForeignModel& model_;
   const MfrontBehaviour& behaviour_;
   std::vector<double> given_;  ///< all parameters, in declared order
+  /// Where the values of properties and external variables come from: a place in given_, or among the varying fields.
+  struct Source {
+    std::size_t place = 0;
+    bool varies = false;
+  };
+  std::vector<Source> properties_, externals_;
+  std::size_t parameters_ = 0;  ///< where those of the library begin in given_
   GuardedArrays arrays_;
   InputWatch inputs_;
   Arrays begin_{}, end_{};

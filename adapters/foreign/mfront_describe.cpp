@@ -46,6 +46,14 @@ void take_initial(const ForeignVariable& given, ForeignModel& model) {
   own->initial = given.initial;
 }
 
+/// Names of the external state variables that a host can give, "none" where there are none.
+std::string scalar_externals(const MfrontBehaviour& behaviour) {
+  std::vector<MfrontVariable> scalars;
+  if (behaviour.temperature) scalars.push_back({mfront_temperature});
+  std::ranges::copy_if(behaviour.external, std::back_inserter(scalars), is_scalar);
+  return scalars.empty() ? "none" : listed_names(scalars);
+}
+
 /// Of a description: the names that its fields may have.
 void require_fields(const MfrontBehaviour& behaviour, const ForeignModel& model) {
   std::vector<MfrontVariable> scalars;
@@ -64,6 +72,7 @@ void Mfront::describe(const MfrontBehaviour& behaviour, ForeignModel& model) {
   model.finite_strain = behaviour.finite_strain;
   model.version = behaviour.version;
   if (behaviour.orthotropic) model.symmetry = ASSAY_ANISOTROPIC;
+  if (behaviour.symmetric < 6) model.components = {4};
   const std::vector<ForeignProperty> said = std::move(model.properties);
   model.properties.clear();
   const auto add = [&](const std::string& name, const char* doc, double value, double lower = -INFINITY,
@@ -79,26 +88,50 @@ void Mfront::describe(const MfrontBehaviour& behaviour, ForeignModel& model) {
     }
     model.properties.push_back(std::move(property));
   };
-  for (const std::string& name : behaviour.prepended) add(name, "elastic constant, asked for by the behaviour", NAN);
+  std::vector<ForeignField> fields;
+  const auto varies = [&](const std::string& name, double value) {
+    if (!place_of_varying(model, name)) return false;
+    fields.push_back({name, value});
+    return true;
+  };
+  const auto said_of = [&](const std::string& name) {
+    const auto own = std::ranges::find(said, name, &ForeignProperty::name);
+    return own != said.end() && std::isfinite(own->value) ? own->value : 0;
+  };
+  for (const std::string& name : behaviour.prepended) {
+    if (!varies(name, said_of(name))) add(name, "elastic constant, asked for by the behaviour", NAN);
+  }
   for (const MfrontVariable& property : behaviour.properties) {
-    add(property.name, "material property", NAN, property.lower, property.upper);
+    if (!varies(property.name, said_of(property.name)))
+      add(property.name, "material property", NAN, property.lower, property.upper);
   }
   for (const auto& parameter : behaviour.parameters) add(parameter.name, "parameter", parameter.value);
-  const std::string temperature = "Temperature";
-  if (behaviour.temperature) add(temperature, "external state variable", model.temperature);
+  const std::string& temperature = mfront_temperature;
+  const auto add_external = [&](const std::string& name, double value) {
+    if (!varies(name, value)) add(name, "external state variable", value);
+  };
+  if (behaviour.temperature) add_external(temperature, model.temperature);
   for (const MfrontVariable& variable : behaviour.external) {
     if (!is_scalar(variable)) continue;
     const auto field = std::ranges::find(model.fields, variable.name, &ForeignField::name);
     const bool is_given = field != model.fields.end(), is_temperature = variable.name == temperature;
     if (is_given && is_temperature && model.temperature_is_said)
       throw ModelRefused("fields." + variable.name, "`temperature` says it too: write one of the two");
-    add(variable.name, "external state variable", is_given ? field->value : is_temperature ? model.temperature : 0);
+    add_external(variable.name, is_given ? field->value : is_temperature ? model.temperature : 0);
   }
-  if (model.temperature_is_said && !has_name(model.properties, temperature))
+  for (const std::string& name : model.varying) {
+    if (!has_name(fields, name))
+      throw ModelRefused("varying." + name, "the behaviour has no such external state variable or property",
+                         scalar_externals(behaviour));
+  }
+  if (model.temperature_is_said && !has_name(model.properties, temperature) && !has_name(fields, temperature))
     throw ModelRefused("temperature", "behaviour '" + behaviour.name + "' takes no temperature");
   require_fields(behaviour, model);
+  for (const ForeignField& field : fields) {
+    if (!has_name(model.fields, field.name)) model.fields.push_back(field);
+  }
   for (const ForeignProperty& property : said) {
-    if (has_name(model.properties, property.name)) continue;
+    if (has_name(model.properties, property.name) || has_name(fields, property.name)) continue;
     throw ModelRefused("properties." + property.name, "behaviour '" + behaviour.name + "' has no such property",
                        listed_names(model.properties));
   }

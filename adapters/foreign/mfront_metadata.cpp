@@ -14,8 +14,6 @@ namespace assay::adapters {
 
 namespace {
 
-constexpr const char* hypothesis = "Tridimensional";
-
 /// Bytes of a symbol, as its library says; 0 where it does not.
 std::size_t size_of_symbol(const void* address) {
   Dl_info info;
@@ -27,10 +25,12 @@ std::size_t size_of_symbol(const void* address) {
 /// The symbols of one behaviour; what is said for the hypothesis goes before what is said for all.
 class Symbols {
  public:
-  Symbols(void* library, std::string behaviour) : library_(library), behaviour_(std::move(behaviour)) {}
+  Symbols(void* library, std::string behaviour, std::string hypothesis)
+      : library_(library), behaviour_(std::move(behaviour)), hypothesis_(std::move(hypothesis)) {}
+  const std::string& hypothesis() const { return hypothesis_; }
 
   void* find(const std::string& what) const {
-    if (void* own = dlsym(library_, (behaviour_ + "_" + hypothesis + "_" + what).c_str())) return own;
+    if (void* own = dlsym(library_, (behaviour_ + "_" + hypothesis_ + "_" + what).c_str())) return own;
     return dlsym(library_, (behaviour_ + "_" + what).c_str());
   }
 
@@ -76,11 +76,11 @@ class Symbols {
 
  private:
   void* library_;
-  std::string behaviour_;
+  std::string behaviour_, hypothesis_;
 };
 
 /// Constants that come before the listed properties although they are not listed.
-std::vector<std::string> prepended(const Symbols& symbols, bool orthotropic) {
+std::vector<std::string> prepended(const Symbols& symbols, bool orthotropic, std::size_t symmetric) {
   using Names = std::vector<std::string>;
   Names names, expansions;
   if (symbols.number("requiresStiffnessTensor") != 0)
@@ -88,6 +88,8 @@ std::vector<std::string> prepended(const Symbols& symbols, bool orthotropic) {
                 ? Names{"YoungModulus", "PoissonRatio"}
                 : Names{"YoungModulus1",  "YoungModulus2",  "YoungModulus3",  "PoissonRatio12", "PoissonRatio23",
                         "PoissonRatio13", "ShearModulus12", "ShearModulus23", "ShearModulus13"};
+  constexpr std::size_t normal = 3;
+  if (names.size() > 2) names.resize(2 * normal + symmetric - normal);  // a shear modulus for each shear
   if (symbols.number("requiresThermalExpansionCoefficientTensor") != 0)
     expansions =
         orthotropic ? Names{"ThermalExpansion1", "ThermalExpansion2", "ThermalExpansion3"} : Names{"ThermalExpansion"};
@@ -130,10 +132,11 @@ void require_consistent(const Symbols& symbols, const MfrontBehaviour& behaviour
   require_one("Gradients", behaviour.finite_strain ? tensor : symmetric_tensor);
   require_one("ThermodynamicForces", symmetric_tensor);
   const std::vector<MfrontVariable> hypotheses = symbols.variables("ModellingHypotheses", "");
-  if (has_name(hypotheses, hypothesis)) return;
-  throw ModelRefused("symbol",
-                     "behaviour '" + behaviour.name + "' does not name the hypothesis " + hypothesis + " among its own",
-                     hypotheses.empty() ? "none" : listed_names(hypotheses));
+  if (has_name(hypotheses, symbols.hypothesis())) return;
+  throw ModelRefused(
+      "symbol",
+      "behaviour '" + behaviour.name + "' does not name the hypothesis " + symbols.hypothesis() + " among its own",
+      hypotheses.empty() ? "none" : listed_names(hypotheses));
 }
 
 /// "p[0]" in names of symbols: p_mfront_index_0.
@@ -157,12 +160,19 @@ MfrontVariable with_bounds(const Symbols& symbols, MfrontVariable variable) {
 void read_parameters(const Symbols& symbols, MfrontBehaviour& behaviour) {
   constexpr int real_number = 0;
   for (const MfrontVariable& parameter : symbols.variables("Parameters", "ParametersTypes")) {
+    if (parameter.type != real_number) continue;
     const auto value = symbols.value<double>(symbol_word(parameter.name) + "_ParameterDefaultValue");
-    if (parameter.type == real_number && value) behaviour.parameters.push_back({parameter.name, *value});
+    if (value) behaviour.parameters.push_back({parameter.name, *value});
   }
 }
 
 }  // namespace
+
+const std::vector<std::string>& mfront_hypotheses() {
+  static const std::vector<std::string> names{"Tridimensional", "PlaneStrain", "GeneralisedPlaneStrain",
+                                              "Axisymmetrical"};
+  return names;
+}
 
 std::vector<std::string> mfront_behaviours(const std::string& path) {
   const std::string ending = "_mfront_ept";
@@ -172,18 +182,22 @@ std::vector<std::string> mfront_behaviours(const std::string& path) {
   }
   // of a behaviour that says it for each hypothesis too
   std::erase_if(names, [&](const std::string& name) {
-    return std::ranges::any_of(names, [&](const auto& other) { return name == other + "_" + hypothesis; });
+    return std::ranges::any_of(names, [&](const auto& other) {
+      return std::ranges::any_of(mfront_hypotheses(), [&](const auto& each) { return name == other + "_" + each; });
+    });
   });
   return names;
 }
 
-MfrontBehaviour mfront_behaviour(void* library, const std::string& name, const std::vector<std::string>& known) {
+MfrontBehaviour mfront_behaviour(void* library, const std::string& name, const std::vector<std::string>& known,
+                                 const std::string& hypothesis) {
   std::string list;
   for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
   if (std::find(known.begin(), known.end(), name) == known.end())
     throw ModelRefused("symbol", "the library has no behaviour '" + name + "'", list.empty() ? "none" : list);
-  const Symbols symbols(library, name);
+  const Symbols symbols(library, name, hypothesis);
   MfrontBehaviour behaviour;
+  if (hypothesis != "Tridimensional") behaviour.symmetric = 4, behaviour.tensor = 5;
   behaviour.name = name;
   behaviour.set_parameter = symbols.find("setParameter");
   behaviour.version = symbols.text("tfel_version");
@@ -195,7 +209,7 @@ MfrontBehaviour mfront_behaviour(void* library, const std::string& name, const s
   require_consistent(symbols, behaviour);
   behaviour.orthotropic = symbols.number("SymmetryType") != 0;
   behaviour.temperature = symbols.number("TemperatureRemovedFromExternalStateVariables", 1) != 0;
-  behaviour.prepended = prepended(symbols, behaviour.orthotropic);
+  behaviour.prepended = prepended(symbols, behaviour.orthotropic, behaviour.symmetric);
   for (const MfrontVariable& property : symbols.variables("MaterialProperties", "")) {
     behaviour.properties.push_back(with_bounds(symbols, property));
   }

@@ -9,6 +9,7 @@
 #include "adapters/foreign/foreign_library.hpp"
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/kinematics.hpp"
+#include "adapters/foreign/membrane.hpp"
 
 namespace assay::adapters {
 
@@ -32,9 +33,6 @@ enum UmatState : std::size_t {
   umat_state_count = 16
 };
 
-/// Fortran's order of a matrix.
-void write_column_major(const Tensor& A, double* out) { Eigen::Map<Tensor>(out, 3, 3) = A; }
-
 }  // namespace
 
 std::vector<ForeignVariable> Umat::state_of(const ForeignModel& model) {
@@ -54,7 +52,7 @@ std::vector<ForeignVariable> Umat::state_of(const ForeignModel& model) {
 
 Umat::Umat(const ForeignTable& table, const double* properties)
     : AbaqusBridge(table, properties),
-      ntens_(serves_all_components(model_) ? 6 : 4),
+      ntens_(components_served(model_)),
       nstatv_(foreign_state_size(model_.state)),
       own_state_(umat_state_count + (model_.each_its_element ? 1 : 0)) {
   make_arrays(GuardedArrays::usual_fence);
@@ -65,8 +63,8 @@ void Umat::make_arrays(std::size_t fence) {
   inputs_ = InputWatch();
   add_arrays();
   std::copy(properties_.begin(), properties_.end(), arrays_[props_]);
-  integers_.ndi = 3;
-  integers_.nshr = ntens_ - 3;
+  integers_.ndi = is_plane_stress() ? 2 : 3;
+  integers_.nshr = ntens_ - integers_.ndi;
   integers_.ntens = ntens_;
   integers_.nstatv = nstatv_;
   integers_.nprops = static_cast<int>(model_.properties.size());
@@ -107,8 +105,9 @@ void Umat::add_arrays() {
   stran_ = input(written_stran, "STRAN", n, every_call);
   dstran_ = input(written_dstran, "DSTRAN", n, every_call);
   time_ = input(written_time, "TIME", 2, every_call);
-  predef_ = input(written_predef, "PREDEF", std::max(least_fields, model_.fields.size()), once);
-  dpred_ = input(written_predef, "DPRED", arrays_.size(predef_), once);
+  const InputWatch::Change of_fields = model_.varying.empty() ? once : every_call;
+  predef_ = input(written_predef, "PREDEF", std::max(least_fields, model_.fields.size()), of_fields);
+  dpred_ = input(written_predef, "DPRED", arrays_.size(predef_), of_fields);
   props_ = input(written_props, "PROPS", model_.properties.size(), once);
   coords_ = input(written_coords, "COORDS", 3, once);
   drot_ = input(written_drot, "DROT", 9, every_call);
@@ -123,6 +122,9 @@ void Umat::add_arrays() {
 }
 
 void Umat::initial_state(const Tensor& cauchy, double* state) {
+  constexpr double nothing = 1e-13;
+  if (is_plane_stress() && cauchy.col(2).cwiseAbs().maxCoeff() > nothing * cauchy.norm())
+    throw PointFailure("a model of plane stress (NTENS = 3) carries no stress 13, 23 or 33");
   std::fill_n(state, own_state_, 0.0);
   write_symmetric(cauchy, standard_order, plain_shear, state + umat_stress);
   write_initial(model_.state, state + own_state_);
@@ -154,7 +156,7 @@ void Umat::hand_over_tensors(const PointStep& step) {
   const auto put = [&](const Tensor& A, double shear, std::size_t array) {
     double six[6];
     write_symmetric(A, standard_order, shear, six);
-    std::copy_n(six, ntens_, arrays_[array]);
+    for (std::size_t k = 0; k < arrays_.size(array); ++k) arrays_[array][k] = six[place(k)];
   };
   const auto turned = [&](std::size_t at) {
     const Tensor own = read_symmetric(step.state0 + at, standard_order, plain_shear);
@@ -186,6 +188,16 @@ void Umat::hand_over_scalars(const PointStep& step) {
   given[dtime] = step.dt / model_.units.time;
   given[temp] = host_.temperature;
   given[dtemp] = host_.temperature_rise;
+  if (const auto at = place_of_varying(model_, temperature_field)) {
+    given[temp] += step.fields0[*at] - model_.temperature;
+    given[dtemp] += step.fields1[*at] - step.fields0[*at];
+  }
+  for (std::size_t k = 0; k < model_.fields.size(); ++k) {
+    const auto at = place_of_varying(model_, model_.fields[k].name);
+    if (!at) continue;
+    arrays_[predef_][k] = step.fields0[*at];
+    arrays_[dpred_][k] = step.fields1[*at] - step.fields0[*at];
+  }
   given[celent] = host_.length;
   integers_.kinc = host_.increment.value_or(age > 0 ? 2 : 1);
   if (model_.each_its_element) integers_.noel = std::max(1, static_cast<int>(step.state0[umat_element]));
@@ -228,64 +240,28 @@ void Umat::call(const PointStep& step) {
 
 Tensor Umat::stress() const {
   double six[6] = {};
-  std::copy_n(arrays_[stress_], ntens_, six);
+  for (std::size_t k = 0; k < arrays_.size(stress_); ++k) six[place(k)] = arrays_[stress_][k];
   return model_.units.stress * read_symmetric(six, standard_order, plain_shear);
 }
 
-void Umat::update(const PointStep& step, PointEnd& end) {
+PointStep Umat::of_model(PointStep step) const {
+  if (is_plane_stress()) step.F0 = with_thickness(model_, step.F0), step.F1 = with_thickness(model_, step.F1);
+  return step;
+}
+
+void Umat::update(const PointStep& given, PointEnd& end) {
+  const PointStep step = of_model(given);
   call(step);
   if (probe_.is_due()) probe_.look(arrays_, {stress_, statev_}, "STATEV", [&] { call(step); });
   const Tensor found = stress();
   end.cauchy = turns() ? Tensor(frame_ * found * frame_.transpose()) : found;
+  if (is_plane_stress()) end.cauchy *= membrane_factor(model_, given.F1);
   write_symmetric(found, standard_order, plain_shear, end.state1 + umat_stress);
   write_symmetric(strain_after_, standard_order, plain_shear, end.state1 + umat_strain);
   for (std::size_t k = 0; k < 3; ++k) end.state1[umat_energies + k] = model_.units.stress * arrays_[scalars_][sse + k];
   end.state1[umat_time] = step.state0[umat_time] + step.dt;
   if (model_.each_its_element) end.state1[umat_element] = step.state0[umat_element];
   from_foreign(umat_layout, model_.state, arrays_[statev_], end.state1 + own_state_);
-}
-
-/// DDSDDE, column by column, on a strain in the axes of space [Pa].
-Tensor Umat::moduli_on(const Tensor& strain) const {
-  const double* ddsdde = arrays_[ddsdde_];
-  const auto n = static_cast<std::size_t>(ntens_);
-  double e[6], s[6] = {};
-  write_symmetric(Tensor(frame_.transpose() * strain * frame_), standard_order, engineering_shear, e);
-  for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t i = 0; i < n; ++i) s[i] += ddsdde[j * n + i] * e[j];
-  }
-  return model_.units.stress * frame_ * read_symmetric(s, standard_order, plain_shear) * frame_.transpose();
-}
-
-/// (1/J) (J sigma)^Jaumann = C : D, in any axes; that of Truesdell has - D sigma - sigma D beside it.
-Tensor Umat::finite_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const {
-  const Tensor l = E * step.F1.inverse(), D = 0.5 * (l + l.transpose()), w = 0.5 * (l - l.transpose());
-  const bool of_tau = model_.moduli == Moduli::jaumann_of_tau || model_.moduli == Moduli::truesdell_of_tau;
-  Tensor objective = moduli_on(D) / (of_tau ? step.F1.determinant() : 1);
-  if (model_.moduli == Moduli::truesdell || model_.moduli == Moduli::truesdell_of_tau) {
-    objective += D * sigma + sigma * D;
-  }
-  return objective - D.trace() * sigma + w * sigma - sigma * w;
-}
-
-/// d sigma / d DSTRAN in axes that turn with DROT, or with R.
-Tensor Umat::small_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const {
-  const StepStrain rate = turns() ? rate_of_corotational_step(step.F0, step.F1, E, model_.kinematics)
-                                  : rate_of_step(step.F0, step.F1, E, model_.kinematics);
-  const Tensor& R = turns() ? frame_ : rotation_;
-  const Tensor w = rate.rotation * R.transpose();
-  return moduli_on(R * rate.strain * R.transpose()) + w * sigma - sigma * w;
-}
-
-void Umat::tangent(const PointStep& step, double* tangent) {
-  call(step);
-  const Tensor sigma = frame_ * stress() * frame_.transpose();
-  for (int column = 0; column < 9; ++column) {
-    Tensor E = Tensor::Zero();
-    component(E, column) = 1;
-    const Tensor d = model_.finite_strain ? finite_strain_rate(step, E, sigma) : small_strain_rate(step, E, sigma);
-    for (int row = 0; row < 9; ++row) tangent[9 * row + column] = component(d, row);
-  }
 }
 
 }  // namespace assay::adapters

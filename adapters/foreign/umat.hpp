@@ -35,14 +35,19 @@ class Umat final : public AbaqusBridge {
   struct Integers {
     int ndi, nshr, ntens, nstatv, nprops, noel, npt, layer, kspt, jstep[4], kinc;
   };
+  bool is_plane_stress() const { return ntens_ == 3; }
   void make_arrays(std::size_t fence);
   void add_arrays();
   void hand_over_tensors(const PointStep& step);
   void hand_over_scalars(const PointStep& step);
   void call(const PointStep& step);
   std::optional<std::string> call_entry();
-  Tensor stress() const;  ///< in the axes of the model
+  Tensor stress() const;  ///< in the axes of the model [Pa]
   bool turns() const { return model_.axes == Axes::corotational; }
+  /// Of component k the place among six.
+  std::size_t place(std::size_t k) const { return is_plane_stress() && k == 2 ? 3 : k; }
+  /// With the thickness of the host, where the model has none of its own.
+  PointStep of_model(PointStep step) const;
   Tensor moduli_on(const Tensor& strain) const;
   Tensor small_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const;
   Tensor finite_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const;

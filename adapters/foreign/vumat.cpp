@@ -87,8 +87,8 @@ Vumat::Block::Block(std::size_t points, const ForeignModel& model, std::size_t f
     temperature[end] = input(written_temperatures, "temp" + when, 1);
     stretch[end] = input(written_stretch, "stretch" + when, 6);
     gradient[end] = input(written_defgrad, "defgrad" + when, 9);
-    fields[end] =
-        input(written_others, "field" + when, std::max<std::size_t>(model.fields.size(), 1), InputWatch::once);
+    fields[end] = input(written_others, "field" + when, std::max<std::size_t>(model.fields.size(), 1),
+                        model.varying.empty() ? InputWatch::once : InputWatch::every_call);
   }
   stress[0] = input(written_stress_old, "stressOld", 6);
   state[0] = input(written_state_old, "stateOld", size);
@@ -136,6 +136,22 @@ void Vumat::initial_state(const Tensor& cauchy, double* state) {
   constexpr double fictitious = 1e-8, brief = 1e-7;  // a strain; a step that is none too long for anybody [s]
   block.arrays[block.strain][0] = fictitious;
   call(block, 0, brief);
+}
+
+/// Of points that begin at `state0`, which end at `state1`; both have their fields behind all else.
+void Vumat::hand_over_fields(Block& block, const Part& part, const double* state0, const double* state1) {
+  GuardedArrays& a = block.arrays;
+  const std::size_t first = own_state + static_cast<std::size_t>(foreign_state_size(model_.state));
+  const auto put = [&](const std::string& name, const std::size_t(&arrays)[2], std::size_t row, double shift) {
+    const auto at = place_of_varying(model_, name);
+    if (!at) return;
+    for (const int end : {0, 1}) {
+      const double* values = (end ? state1 : state0) + (first + *at) * part.of + part.begin;
+      for (std::size_t p = 0; p < block.n; ++p) a[arrays[end]][row * block.n + p] = values[p] + shift;
+    }
+  };
+  put(temperature_field, block.temperature, 0, host_.temperature - model_.temperature);
+  for (std::size_t k = 0; k < model_.fields.size(); ++k) put(model_.fields[k].name, block.fields, k, 0);
 }
 
 void Vumat::hand_over(Block& block, const assay_step& step, const Part& part, const double* state0) {
@@ -237,6 +253,7 @@ void Vumat::update_batch(const assay_step& step, std::size_t n, const double* st
     Block& block = block_of(end - begin);
     const auto answer = [&] {
       hand_over(block, step, {n, begin}, state0);
+      hand_over_fields(block, {n, begin}, state0, state1);
       call(block, end_of_step(step, loaded(begin)), step.dt);
     };
     answer();

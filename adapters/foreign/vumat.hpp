@@ -48,6 +48,7 @@ class Vumat final : public AbaqusBridge {
   };
   Block& block_of(std::size_t n);
   void hand_over(Block& block, const assay_step& step, const Part& part, const double* state0);
+  void hand_over_fields(Block& block, const Part& part, const double* state0, const double* state1);
   void take_back(Block& block, const Part& part, double* state1, double* cauchy);
   /// `time`: of the end of the step; 0: the call before the first step, whose inputs a model may well set.
   void call(Block& block, double time, double dt);

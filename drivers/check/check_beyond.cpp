@@ -7,6 +7,7 @@
 
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/material/material_description.hpp"
+#include "drivers/text/words.hpp"
 
 namespace assay::drivers {
 
@@ -181,7 +182,7 @@ std::string demanded(const std::string& how, std::ptrdiff_t count) {
 }
 
 check::Diagnosis of_state(const std::string& array, const Place& place, const ArrayPlaces& written) {
-  const std::string output = array == "STATEV" ? array : "stateNew";
+  const std::string output = array == "stateOld" ? "stateNew" : array;
   const auto also = written.find(output);
   std::ptrdiff_t needed = place.last();
   std::string words = "reads " + elements_of(array, place);
@@ -199,7 +200,11 @@ check::Diagnosis of_properties(const std::string& array, const Place& place) {
                                                  ": " + demanded("`properties` must give", place.last())};
 }
 
-bool is_of_state(const std::string& array) { return array == "STATEV" || array == "stateOld" || array == "stateNew"; }
+/// As the interfaces call them.
+bool is_of_state(const std::string& array) {
+  return is_one_of(array, {"STATEV", "stateOld", "stateNew", "ustatev", "hsv"});
+}
+bool is_of_properties(const std::string& array) { return is_one_of(array, {"PROPS", "props", "prop", "cm"}); }
 
 check::Diagnosis of_others(const std::string& array, const Place& place, const std::string& does) {
   if (array.find(' ') != std::string::npos) return {check::causes::overrun, does + " beyond " + array};
@@ -217,7 +222,7 @@ std::vector<check::Diagnosis> causes_of(const Beyonds& found) {
   std::vector<check::Diagnosis> causes;
   for (const auto& [array, place] : read) {
     if (place.last() <= 0) continue;
-    if (array == "PROPS" || array == "props") causes.push_back(of_properties(array, place));
+    if (is_of_properties(array)) causes.push_back(of_properties(array, place));
     if (is_of_state(array)) causes.push_back(of_state(array, place, written));
   }
   if (!causes.empty()) return causes;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/foreign_table.hpp"
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/material/material_description.hpp"
@@ -116,15 +117,16 @@ void judge_components(CheckedMaterial& checked, const check::Effort& effort, con
   const bool passes = checked.passes();
   if (checked.hangs || (!passes && checked.report.passes())) return;
   const std::optional<Described> umat = umat_of(checked);
-  if (!umat || (passes && std::ranges::count(umat->model.components, 6) > 0))
+  if (!umat || adapters::is_of_plane_stress(umat->model) ||
+      (passes && std::ranges::count(umat->model.components, 6) > 0))
     return;  // no test of six passes in a plane
   const Fills fills = filled_by(*umat, {checked.parameters.begin(), checked.parameters.end()});
   if (fills == Fills::plane_stress) {
     checked.unsuitable = true;
     checked.error = checked.name +
                     ": it has only three components of stress, as in plane stress (11, 22 and 12) or in a cohesive "
-                    "layer: STRESS(3) depends on DSTRAN(3) alone. assay tests plane strain and three dimensions, so it "
-                    "cannot judge this model";
+                    "layer: STRESS(3) depends on DSTRAN(3) alone. For plane stress, declare components: [3]; "
+                    "then it is judged. assay does not test cohesive layers";
     return;
   }
   if (passes || umat->model.components_are_said || fills == Fills::six) return;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "drivers/check/check_foreign.hpp"
+#include "drivers/material/source_entry.hpp"
 #include "harness/check/march.hpp"
 
 namespace assay::drivers {
@@ -90,10 +91,11 @@ void judge_elements(const ResolvedMaterial& material, check::Report& report) {
   if (!keeps_state_by_element(material, strain, report.pressure)) return;
   test->cause = check::causes::kept_by_element;
   const bool umat = is_of(material, adapters::ForeignInterface::umat);
-  std::string words = std::string("the model keeps a state by ") + (umat ? "NOEL" : "the number of the element") +
-                      " outside of " + (umat ? "STATEV" : "stateNew") +
-                      ": two bodies in turn behave as each body alone if they have different elements, and differently "
-                      "if they share one; ";
+  std::string words =
+      std::string("the model keeps a state by ") + (umat ? "NOEL" : "the number of the element") + " outside of " +
+      (is_of(material, adapters::ForeignInterface::vumat) ? "stateNew" : state_word(material.foreign->interface)) +
+      ": two bodies in turn behave as each body alone if they have different elements, and differently "
+      "if they share one; ";
   if (umat) {
     words += material.foreign->each_its_element
                  ? "`elements: each` is enough only for runs that take each point once a step, "

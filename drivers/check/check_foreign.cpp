@@ -165,8 +165,11 @@ check::Declarations declarations_of(const ResolvedMaterial& material) {
           .numbered_state = counts_state(*model) ? numbered : "",
           .guesses_roles = true,
           .may_drop_stress = true,
+          .plane_stress = adapters::is_of_plane_stress(*model),
           .tangent_within = 2e-3,
-          .tangent = umat ? "DDSDDE of strain: " + strain_word(*model) : "what the interface asks for"};
+          .tangent = umat                                            ? "DDSDDE of strain: " + strain_word(*model)
+                     : model->interface == ForeignInterface::usermat ? "dsdePl"
+                                                                     : "what the interface asks for"};
 }
 
 std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material) {

@@ -208,13 +208,16 @@ void judge_state_blocks(const ResolvedMaterial& material, check::Report& report)
 /// with axes that turn with the body.
 void hint_symmetry(const ResolvedMaterial& material, check::Report& report);
 
+/// Of a USERMAT that does not turn with the body: whether it does with the other of its axes.
+void hint_axes(const ResolvedMaterial& material, check::Report& report);
+
 /// Of a model whose same step is not the same again: its cause, where that is a state by element: two bodies, each with
 /// an element of its own, are as either of them alone, and with one for both are not.
 void judge_elements(const ResolvedMaterial& material, check::Report& report);
 
 /// Of a UMAT that fails, and whose description says nothing of `components`: whether four cure it, or bring another
-/// defect to light; its diagnosis says so then. One of plane stress cannot be judged, whatever is said and even where
-/// it passes with four: `error`. Throws Interrupted, SystemError.
+/// defect to light; its diagnosis says so then. One of plane stress cannot be judged unless it is declared as such
+/// (components: [3]), even where it passes with four: `error`. Throws Interrupted, SystemError.
 void judge_components(CheckedMaterial& checked, const check::Effort& effort, const CheckProcesses& how);
 
 // Whether it depends on the rate, of which its description says nothing.

@@ -94,9 +94,32 @@ HostVariation outputs(const std::string& name) {
   return variation;
 }
 
+/// Of Ansys' USERMAT.
+Variations of_usermat(const ForeignModel& model) {
+  return {counter("isubst", {3, 10, 1000}, [](HostValues& host, int v) { host.increment = v; }),
+          counter("ldstep", {2, 3, 100}, [](HostValues& host, int v) { host.step = v; }),
+          counter("kDomIntPt", {2, 4, 8}, [](HostValues& host, int v) { host.point = v; }),
+          counter("kLayer", {2, 3}, [](HostValues& host, int v) { host.layer = v; }),
+          counter("kSectPt", {2, 3}, [](HostValues& host, int v) { host.section = v; }),
+          counter(
+              "elemId", {2, 999, 100000}, [](HostValues& host, int v) { host.element = v; }, false),
+          temperatures("Temp", model.temperature),
+          {"dTemp", false, {{"for 1", [](HostValues& host) { host.temperature_rise = 1; }}}},
+          outputs("what dsdePl holds before the call"),
+          places("coords")};
+}
+
+Variations of_lsdyna(const ForeignModel& model) {
+  return {counter(
+              "idele", {2, 999, 100000}, [](HostValues& host, int v) { host.element = v; }, false),
+          temperatures("temper", model.temperature), multiples("elsiz", &HostValues::length)};
+}
+
 }  // namespace
 
 std::vector<HostVariation> host_variations(const ForeignModel& model) {
+  if (model.interface == ForeignInterface::usermat) return of_usermat(model);
+  if (model.interface == ForeignInterface::lsdyna) return of_lsdyna(model);
   const bool umat = model.interface == ForeignInterface::umat;
   Variations all;
   const auto add = [&all](const Variations& more) { all.insert(all.end(), more.begin(), more.end()); };

@@ -39,7 +39,8 @@ bool judge_beyond(const ResolvedMaterial& material, const CheckSettings& setting
 
 /// The same with another CMNAME. A host has one name for each set of PROPS, and a model may keep what belongs to it.
 std::optional<Material> under_another_name(const ResolvedMaterial& material) {
-  if (!material.foreign || is_of(material, adapters::ForeignInterface::mfront)) return std::nullopt;
+  if (!is_of(material, adapters::ForeignInterface::umat) && !is_of(material, adapters::ForeignInterface::vumat))
+    return std::nullopt;
   adapters::ForeignModel other = *material.foreign;
   other.material_name += "-2";
   return made_for_tests(other, material.choice.parameters);
@@ -112,8 +113,8 @@ std::optional<ResolvedMaterial> settle_rate(const ResolvedMaterial& material, co
 }
 
 /// What is asked of a foreign model behind the battery, one after the other.
-constexpr auto rules = {judge_foreign_tangent, judge_energies, tell_initial_values,
-                        judge_state_blocks,    hint_symmetry,  judge_elements};
+constexpr auto rules = {judge_foreign_tangent, judge_energies, tell_initial_values, judge_state_blocks,
+                        hint_symmetry,         hint_axes,      judge_elements};
 
 }  // namespace
 

@@ -176,6 +176,20 @@ void hint_symmetry(const ResolvedMaterial& material, check::Report& report) {
   }
 }
 
+void hint_axes(const ResolvedMaterial& material, check::Report& report) {
+  using adapters::Axes;
+  const check::Diagnosis* const found = diagnosed(report, of_turns);
+  if (!found || !is_of(material, adapters::ForeignInterface::usermat)) return;
+  ForeignModel other = *material.foreign;
+  if (other.symmetry != ASSAY_ISOTROPIC) return;  // hint_symmetry tells it
+  other.axes = other.axes == Axes::fixed ? Axes::corotational : Axes::fixed;
+  check::Effort quick = report.effort;
+  quick.quick = true;
+  const auto again = battery_as(other, material, quick);
+  if (again && !diagnosed(*again, of_turns))
+    say_also(report, found->sentence, "; with `axes: " + word_of(other.axes) + "` in its description it is right");
+}
+
 void judge_state_blocks(const ResolvedMaterial& material, check::Report& report) {
   constexpr int least = 3;  // components of a vector
   const check::Diagnosis* const found = diagnosed(report, of_turns);

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include "adapters/foreign/foreign_state.hpp"
 #include "drivers/check/check_material.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
@@ -124,6 +125,7 @@ TestResult judged(double error, std::optional<double> other, std::optional<doubl
 
 TestResult end_to_end_vortex(const ResolvedMaterial& resolved, std::optional<double> ellipticity) {
   const Material& material = resolved.material;
+  if (resolved.foreign && adapters::is_of_plane_stress(*resolved.foreign)) return untold("the vortex is plane strain");
   if (!check::serves_ring(material)) return untold("the vortex needs isotropy about its axis");
   std::optional<check::Specimen> specimen;
   try {

@@ -112,20 +112,21 @@ std::string effects_text(const Composition& c) {
 
 template <int Dim>
 std::string steps_text(const ProblemIn<Dim>& problem) {
+  const Units& units = problem.scene.units;
   const std::string reference =
       problem.reference_wave_speed > 0
-          ? ", " + rounded_text(problem.reference_wave_speed, 4) + " m/s across the reference configuration"
+          ? ", " + units.text(problem.reference_wave_speed, "m/s", 4) + " across the reference configuration"
           : "";
   const std::string viscous = problem.viscous_shortening > 1
                                   ? "; artificial viscosity makes stable steps " +
                                         rounded_text(problem.viscous_shortening, 3) + " times shorter"
                                   : "";
-  return fmt::format("{} particles stepped, {} held; {} steps of {} s\n",
+  return fmt::format("{} particles stepped, {} held; {} steps of {}\n",
                      grouped_text(static_cast<std::int64_t>(problem.setup.seeds.size())),
                      grouped_text(static_cast<std::int64_t>(problem.setup.seeds.held.size())),
-                     grouped_text(problem.steps), rounded_text(problem.dt, 4)) +
-         wrapped(fmt::format("{} m/s{}, fastest particle {} m/s{}", rounded_text(problem.wave_speed, 4), reference,
-                             rounded_text(problem.particle_speed, 4), viscous),
+                     grouped_text(problem.steps), units.text(problem.dt, "s", 4)) +
+         wrapped(fmt::format("{}{}, fastest particle {}{}", units.text(problem.wave_speed, "m/s", 4), reference,
+                             units.text(problem.particle_speed, "m/s", 4), viscous),
                  "  fastest wave on the path ", "    ");
 }
 
@@ -149,7 +150,8 @@ std::string ends_text(const ProblemIn<Dim>& problem) {
       continue;
     }
     for (const auto& at : {ends.lower, ends.upper}) {
-      if (at) all.push_back(std::string("a symmetry plane at ") + axes[d] + " = " + rounded_text(*at, 6) + " m");
+      if (at)
+        all.push_back(std::string("a symmetry plane at ") + axes[d] + " = " + problem.scene.units.text(*at, "m", 6));
     }
   }
   return all.empty() ? "" : wrapped(joined(all), "faces: ", "  ");

@@ -55,6 +55,8 @@ ExportedProblem export_problem(const ExportOptions& options, const Target& targe
   problem.scene = exported_scene(options, problem.remarks);
   Scene& scene = problem.scene;
   require_acceleration(scene);
+  if (!scene.initial_cauchy().isZero(0))
+    refuse(scene, "material.initial_stress", "is not written for other codes: their bodies begin without stress");
   problem.dimension = scene.dimension == 3 || !scene.motion->is_plane() ? 3 : 2;
   problem.quasi_static = scene.force.quasi_static;
   problem.period = scene.motion->period(), problem.end = scene.time.end;

@@ -23,6 +23,7 @@ namespace assay::drivers {
 Result result_for(const Scene& scene) {
   Result result;
   result.title = scene.title;
+  result.units = scene.units;
   result.provenance = build_information();
   result.provenance.scene_sha256 = scene.sha256;
   return result;

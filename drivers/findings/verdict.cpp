@@ -18,30 +18,47 @@ namespace assay::drivers {
 
 namespace {
 
-std::string figure(const Figure& value) { return value ? rounded_text(*value, 3) : "-"; }
+std::string figure(const Figure& value, const Scale& scale = {}) {
+  return value ? rounded_text(scale.from_si(*value), 3) : "-";
+}
+
+/// With its unit.
+std::string figure_text(const Figure& value, const Units& units, const char* si) {
+  return figure(value, units.scale(si)) + " " + units.name(si);
+}
 
 std::string error_row(const std::string& name, const std::string& half, const std::string& end, const std::string& l2,
                       const std::string& linf = {}) {
   return table_line(fmt::format("  {:22} {:>10} {:>10} {:>10} {:>12}", name, half, end, l2, linf));
 }
 
-std::string error_lines(const ErrorFigures& e) {
-  std::string text =
-      error_row("error", "at T/2", "at end", "max L2", "max Linf") +
-      error_row("displacement [m]", figure(e.l2_half), figure(e.l2_end), figure(e.l2_max), figure(e.linf_max)) +
-      error_row("  rms, all particles", figure(e.rms36_half), figure(e.rms36_end), figure(e.rms36_max));
-  const std::pair<const char*, const FieldMaximum&> maxima[] = {{"velocity [m/s]", e.velocity},
-                                                                {"F [1]", e.deformation_gradient},
-                                                                {"det F [1]", e.jacobian},
-                                                                {"Cauchy stress [Pa]", e.stress}};
-  for (const auto& [name, of] : maxima) text += error_row(name, "", "", figure(of.l2_max), figure(of.linf_max));
+std::string error_lines(const ErrorFigures& e, const Units& units) {
+  const Scale length = units.scale("m");
+  const auto headed = [&](const char* name, const char* si) { return name + (" [" + units.name(si) + "]"); };
+  std::string text = error_row("error", "at T/2", "at end", "max L2", "max Linf") +
+                     error_row(headed("displacement", "m"), figure(e.l2_half, length), figure(e.l2_end, length),
+                               figure(e.l2_max, length), figure(e.linf_max, length)) +
+                     error_row("  rms, all particles", figure(e.rms36_half, length), figure(e.rms36_end, length),
+                               figure(e.rms36_max, length));
+  struct Maximum {
+    const char *name, *si;
+    const FieldMaximum& of;
+  };
+  const Maximum maxima[] = {{"velocity", "m/s", e.velocity},
+                            {"F", "1", e.deformation_gradient},
+                            {"det F", "1", e.jacobian},
+                            {"Cauchy stress", "Pa", e.stress}};
+  for (const auto& [name, si, of] : maxima) {
+    const Scale scale = units.scale(si);
+    text += error_row(headed(name, si), "", "", figure(of.l2_max, scale), figure(of.linf_max, scale));
+  }
   if (e.relative) text += error_row("relative to the motion", "", "", figure(e.relative));
   return text;
 }
 
 std::string work_line(const Result& r) {
-  return fmt::format("  {} steps of {} s, {} particles stepped\n{}  {} million particle-steps/s\n",
-                     r.steps ? grouped_text(*r.steps) : "-", figure(r.dt),
+  return fmt::format("  {} steps of {}, {} particles stepped\n{}  {} million particle-steps/s\n",
+                     r.steps ? grouped_text(*r.steps) : "-", figure_text(r.dt, r.units, "s"),
                      r.moving_particles ? grouped_text(*r.moving_particles) : "-", times_text(r, "stepping"),
                      r.particle_steps_per_s ? rounded_text(*r.particle_steps_per_s * 1e-6, 3) : "-");
 }
@@ -63,7 +80,7 @@ std::string summary_of(const Result& result) {
 
 std::string outcome_text(const Result& result) {
   std::string text = (result.title.empty() ? "" : result.title + ": ") + result.outcome;
-  if (result.t) text += fmt::format(" at t = {} s", figure(result.t));
+  if (result.t) text += " at t = " + figure_text(result.t, result.units, "s");
   return wrapped(text + ": " + summary_of(result), "", "  ") + expectations_text(result, false);
 }
 
@@ -134,11 +151,11 @@ std::string verdict_text(const Result& result, const std::string& folder, bool w
   if (!result.subject.empty()) text += wrapped(result.subject, "  ", "    ");
   text += reason_text(result);
   text += process_lines(result, folder);
-  if (result.error.l2_max) text += error_lines(result.error);
+  if (result.error.l2_max) text += error_lines(result.error, result.units);
   if (result.steps) text += work_line(result);
   if (result.sheet) text += sheet_text(*result.sheet);
   if (result.rim) {
-    text += fmt::format("  plastic rim: {} m wide, {} cells{}\n", rounded_text(result.rim->width, 3),
+    text += fmt::format("  plastic rim: {} wide, {} cells{}\n", result.units.text(result.rim->width, "m", 3),
                         rounded_text(result.rim->cells, 2), result.rim->cells < fewest_rim_cells ? ": too few" : "");
   }
   if (with_profile) text += profile_lines(result);

@@ -117,7 +117,9 @@ std::string tail(const std::string& text) {
       rest.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/*^- ()[]") == rest.npos;
   const bool unit = word || rest.find("µ") != rest.npos || rest.find("³") != rest.npos || rest.find("²") != rest.npos ||
                     rest.find("°") != rest.npos;
-  if (unit && !is_letter(number.back())) return ": a number has no unit, write it alone (in a scene in SI units)";
+  if (unit && !is_letter(number.back()))
+    return ": a number has no unit, write it alone "
+           "(in SI, or in the `units` of the scene)";
   return {};
 }
 

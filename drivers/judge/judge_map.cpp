@@ -5,6 +5,7 @@
 #include <fstream>
 #include <optional>
 
+#include "drivers/format/unit_rows.hpp"
 #include "drivers/format/yaml_values.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/text/unseen.hpp"
@@ -13,21 +14,6 @@
 namespace assay::drivers {
 
 namespace {
-
-struct UnitWord {
-  const char* word;
-  double si;
-};
-
-YamlRow unit_row(const char* name, double& value, const std::vector<UnitWord>& units) {
-  return {name,
-          [=, &value](const Tree& tree, const std::string& key) {
-            const std::vector<std::string> words =
-                mapped(units, [](const UnitWord& unit) { return std::string(unit.word); });
-            value = units[index_of(choice_value(tree, key, words), words)].si;
-          },
-          [] { return std::string(); }};
-}
 
 /// One text, or a list of them.
 std::vector<std::string> texts_value(const Tree& tree, const std::string& key) {
@@ -112,13 +98,12 @@ YamlRows rows_of_all(JudgeMap& map) {
   rows.push_back(group("units", [&map](const Tree& tree, const std::string& key) {
     require_map(tree, key, "length, time, velocity, stress");
     double velocity = 0;
-    read_only_rows(
-        tree, key,
-        {unit_row("length", map.length,
-                  {{"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"um", 1e-6}, {"in", 0.0254}, {"km", 1e3}}),
-         unit_row("time", map.time_unit, {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}, {"h", 3600}}),
-         unit_row("velocity", velocity, {{"m/s", 1}, {"mm/s", 1e-3}, {"cm/s", 1e-2}, {"um/s", 1e-6}, {"km/s", 1e3}}),
-         unit_row("stress", map.stress, {{"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}})});
+    std::vector<std::string> lengths = unit_words("m");
+    lengths.emplace_back("km");
+    read_only_rows(tree, key,
+                   {unit_row("length", map.length, lengths), unit_row("time", map.time_unit, unit_words("s")),
+                    unit_row("velocity", velocity, {"m/s", "mm/s", "cm/s", "um/s", "km/s"}),
+                    unit_row("stress", map.stress, unit_words("Pa"))});
     if (velocity > 0) map.velocity = velocity;
   }));
   rows.push_back(group("time", [&map](const Tree& tree, const std::string& key) {

@@ -19,6 +19,8 @@ const std::vector<std::string>& interface_names();
 const std::vector<std::string>& foreign_keys();
 /// Those of them that an MFront behaviour has no use for.
 const std::vector<std::string>& keys_of_abaqus();
+/// Keys that would have no effect with an interface other than native.
+std::vector<std::string> keys_without_effect(const std::string& interface);
 
 /// Of a description whose `interface` is one of those. `library` is absolute, `name` that of the table where the file
 /// gives none. The place of every key goes to `where`. Throws InputError.

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "adapters/process/shortage.hpp"
+#include "drivers/material/source_entry.hpp"
 #include "drivers/material/tool_process.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/whole_file.hpp"
@@ -226,7 +227,8 @@ std::vector<std::string> flags_for(const FortranSource& source, const FortranCom
   append_all(flags, {fixed ? "-ffixed-form" : "-ffree-form",
                      fixed ? "-ffixed-line-length-" + std::to_string(abaqus_columns) : "-ffree-line-length-none", "-x",
                      source.preprocessed ? "f95-cpp-input" : "f95"});
-  if (source.preprocessed) append_all(flags, {"-DABQ_LNX86_64", "-DABQ_FORTRAN"});  // as Abaqus does on Linux
+  if (source.preprocessed) append_all(flags, {"-DABQ_LNX86_64", "-DABQ_FORTRAN"});          // as Abaqus does on Linux
+  if (is_of_lsdyna(source)) append_all(flags, {"-fdefault-real-8", "-fdefault-double-8"});  // its double precision
   append_all(flags, compiler.options);
   return flags;
 }

@@ -166,11 +166,12 @@ std::string source_beside(const std::string& deck, const Location& where, const 
 
 std::string abaqus_include(const std::string& name) {
   const std::string file = small_name(name);
-  const std::string reals = "      implicit real*8 (a-h,o-z)\n";  // serves both forms of the source
+  std::string reals = "      implicit real*8 (a-h,o-z)\n";  // serves both forms of the source
   if (file == "aba_param.inc") return reals + "      parameter (nprecd=2)\n";
   if (file == "vaba_param.inc") {
     return reals + "      parameter (j_sys_dimension=2, n_vec_length=136)\n      parameter (maxblk=n_vec_length)\n";
   }
+  if (file == "impcom.inc") return reals;  // of Ansys
   if (file.starts_with("smaaspuser") && file.ends_with(".hdr")) return "! what it declares needs no declaration here\n";
   return {};
 }

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapters/foreign/foreign_state.hpp"
 #include "adapters/worker/remote_table.hpp"
+#include "drivers/material/material_text.hpp"
 #include "drivers/material/registry.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/unseen.hpp"
 #include "harness/check/symmetry_class.hpp"
 #include "harness/check/turned_reference.hpp"
+#include "harness/material/initial_stress.hpp"
 #include "harness/material/thrown.hpp"
 
 namespace assay::drivers {
@@ -59,6 +62,29 @@ Material created(const MaterialChoice& choice, const MaterialSource& source) {
   }
 }
 
+/// Of a model that converts its own numbers: its author says in which units they are.
+void require_own_units(const MaterialChoice& choice, const MaterialSource& source) {
+  if (source.foreign->units_are_said) return;
+  throw InputError(choice.where, choice.adapter_key,
+                   "the scene has units, and nobody says in which units this model is written: its description says "
+                   "so, as in `units: {" +
+                       choice.units.words() + "}`");
+}
+
+/// Parameters of the table in its own units, which are SI as a rule.
+void convert_parameters(const assay_material& table, MaterialChoice& choice) {
+  for (const assay_parameter& parameter : parameters_of(table)) {
+    const auto given = choice.parameters.find(parameter.name);
+    if (given == choice.parameters.end()) continue;
+    const std::string word = parameter.unit ? parameter.unit : "";
+    const auto unit = parse_unit(word);
+    if (!unit)
+      throw InputError(choice.parameter_where.at(parameter.name), choice.parameters_key + "." + parameter.name,
+                       "its unit '" + one_line(word, 40) + "' cannot be converted: a scene with units cannot give it");
+    given->second = unit->scale.from_si(choice.units.scale(unit->dimension).to_si(given->second));
+  }
+}
+
 /// The names of the parameters that it fills in.
 std::vector<std::string> filled_from_example(const assay_material& table, Example which, MaterialChoice& choice) {
   std::vector<std::string> names;
@@ -73,13 +99,37 @@ std::vector<std::string> filled_from_example(const assay_material& table, Exampl
   return names;
 }
 
+/// A foreign model keeps fields as they are, unless it is asked to let them vary.
+void adapt(const MaterialChoice& choice, MaterialSource& source) {
+  if (!source.foreign) return;
+  MaterialDescription description = source;
+  adapters::ForeignModel& model = *description.foreign;
+  for (const std::string& name : choice.varying) {
+    if (!is_one_of(name, model.varying)) model.varying.push_back(name);
+  }
+  if (!choice.hypothesis.empty()) model.hypothesis = choice.hypothesis;
+  if (model.varying == source.foreign->varying && model.hypothesis == source.foreign->hypothesis) return;
+  MaterialSource again =
+      source_of(description, source.description.empty() ? source.library : source.description, source.isolation);
+  again.description = source.description, again.warnings = source.warnings;
+  source = std::move(again);
+}
+
 }  // namespace
 
 ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) {
-  const MaterialSource source =
+  MaterialSource source =
       find_material(given.adapter, given.where, given.adapter_key, given.isolation, given.parameters);
+  adapt(given, source);
   MaterialChoice choice = given;
   choice.isolation = source.isolation;
+  if (!given.units.is_si()) {
+    if (source.foreign)
+      require_own_units(given, source);
+    else
+      convert_parameters(*source.table, choice);
+    choice.units = {};
+  }
   choice.parameters.insert(source.parameters.begin(), source.parameters.end());  // the scene's own stay
   if (!(choice.density > 0)) {
     if (!source.density) {
@@ -101,8 +151,16 @@ ResolvedMaterial resolve_material(const MaterialChoice& given, Example example) 
           source.foreign};
 }
 
+void refuse_plane_stress(const ResolvedMaterial& material, const std::string& key, const std::string& why) {
+  if (!material.foreign || !adapters::is_of_plane_stress(*material.foreign)) return;
+  throw InputError(material.choice.where, key,
+                   "'" + material.material.name() + "' is a model of plane stress (components: [3]), and " + why +
+                       "; it serves `assay check` and the paths of `assay tabulate`");
+}
+
 ResolvedMaterial resolve_material(const Scene& scene) {
   ResolvedMaterial resolved = resolve_material(scene.material);
+  refuse_plane_stress(resolved, "material.adapter", "a motion holds F33, as plane strain does");
   if (ring_of(scene.motion) && !check::serves_ring(resolved.material)) {
     throw InputError(
         scene.material.where, "material.adapter",
@@ -123,6 +181,9 @@ ResolvedMaterial resolve_material(const Scene& scene) {
                      "'" + resolved.material.name() + "' has no direction");
   }
   if (directed && !scene.material.direction) resolved.choice.direction = {1.0, 0.0, 0.0};
+  if (const std::string fault = assay::fault_of_initial_stress(resolved.material, scene.initial_cauchy());
+      !fault.empty())
+    throw InputError(scene.place("material.initial_stress"), "material.initial_stress", one_line(fault, 400));
   if (scene.motion->turns_its_shear()) {
     const auto reason = check::reason_against_axis(resolved.material, baseline_path(scene), scene.time.end);
     if (reason) throw InputError(scene.material.where, "material.adapter", *reason);

@@ -40,6 +40,9 @@ enum class Example { none, where_required, all };
 /// that it does not have. Of these, ModelEnded.
 ResolvedMaterial resolve_material(const Scene& scene);
 
+/// Throws InputError at the material where it is one of plane stress (NTENS = 3): `why` it does not serve.
+void refuse_plane_stress(const ResolvedMaterial& material, const std::string& key, const std::string& why);
+
 /// The same without a motion to suit.
 ResolvedMaterial resolve_material(const MaterialChoice& choice, Example example = Example::none);
 

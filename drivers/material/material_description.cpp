@@ -28,12 +28,15 @@ std::string interface_of(const Tree& root) {
   return tree ? choice_value(*tree, "interface", interface_names()) : "native";
 }
 
+/// Whether it is one of a Fortran routine.
+bool has_source(const std::string& interface) { return interface != "native" && interface != "mfront"; }
+
 std::vector<std::string> keys_of(const std::string& interface) {
   std::vector<std::string> known{"library", "name", "interface", "density", "time_limit", "memory_limit", "files"};
-  if (interface == "umat" || interface == "vumat") known.insert(known.begin() + 1, {"source", "link"});
+  if (has_source(interface)) known.insert(known.begin() + 1, {"source", "link"});
   if (interface == "native") append_all(known, {"parameters"});
   for (const std::string& key : interface == "native" ? std::vector<std::string>() : foreign_keys()) {
-    if (interface != "mfront" || !is_one_of(key, keys_of_abaqus())) known.push_back(key);
+    if (!is_one_of(key, keys_without_effect(interface))) known.push_back(key);
   }
   return known;
 }
@@ -42,15 +45,18 @@ std::vector<std::string> keys_of(const std::string& interface) {
 void refuse_keys_of_others(const Tree& root, const std::string& interface) {
   const bool is_said = root.find("interface") != nullptr;
   const Tree* source = root.find("source");
-  if (source && interface != "umat" && interface != "vumat") {
+  if (source && !has_source(interface)) {
     throw InputError(source->where, "source",
-                     "goes with interface: umat or vumat" +
+                     "goes with interface: umat, vumat, usermat or lsdyna" +
                          (is_said ? ", found interface: " + interface : ": write one of these lines beside it"));
   }
-  if (interface != "mfront") return;
-  for (const std::string& key : keys_of_abaqus()) {
-    if (const Tree* tree = root.find(key))
-      throw InputError(tree->where, key, "is for UMATs and VUMATs alone: MFront's interface has nothing like it");
+  if (interface == "native") return;
+  for (const std::string& key : keys_without_effect(interface)) {
+    const Tree* tree = root.find(key);
+    if (!tree) continue;
+    throw InputError(tree->where, key,
+                     interface == "mfront" ? "is for UMATs and VUMATs alone: MFront's interface has nothing like it"
+                                           : "has no effect with interface: " + interface);
   }
 }
 
@@ -162,13 +168,19 @@ std::vector<std::string> subroutines_in(const std::vector<std::string>& symbols,
 
 /// Throws InputError where a library is one of those that need a description.
 void refuse_subroutines(const MaterialDescription& description, const std::vector<std::string>& symbols) {
-  for (const std::string word : {"vumat", "umat"}) {
+  std::vector<std::string> words{"vumat", "umat", "usermat"};
+  for (int k = 41; k <= 50; ++k) words.push_back("umat" + std::to_string(k));
+  for (const std::string& word : words) {
     const std::vector<std::string> found = subroutines_in(symbols, word);
     if (found.empty()) continue;
+    const bool of_lsdyna = word.size() > 5 && word.starts_with("umat");
+    const std::string interface = of_lsdyna ? "lsdyna" : word;
+    const std::string usual = of_lsdyna ? "umat41_" : word + "_";
+    const std::string what = of_lsdyna ? "a user material of LS-DYNA" : "a " + capital_letters(word);
     throw InputError(description.library_where, description.library_key,
-                     "'" + description.library + "' exports '" + found.front() + "', a " + capital_letters(word) +
-                         ": it needs a description, a YAML file with library, " + "interface: " + word +
-                         (found.front() == word + "_" ? "" : ", symbol: " + found.front()) + ", properties and state");
+                     "'" + description.library + "' exports '" + found.front() + "', " + what +
+                         ": it needs a description, a YAML file with library, " + "interface: " + interface +
+                         (found.front() == usual ? "" : ", symbol: " + found.front()) + ", properties and state");
   }
 }
 

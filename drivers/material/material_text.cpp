@@ -89,6 +89,7 @@ std::string role_name(std::int32_t role) {
   return role == ASSAY_ROLE_PLAIN            ? "plain"
          : role == ASSAY_ROLE_ROTATES_ITSELF ? "rotates itself"
          : role == ASSAY_ROLE_DIRECTION      ? "direction"
+         : role == ASSAY_ROLE_FIELD          ? "field"
                                              : "unknown";
 }
 

@@ -8,6 +8,7 @@
 
 #include "adapters/elf_symbols.hpp"
 #include "drivers/format/yaml_writer.hpp"
+#include "drivers/material/foreign_description.hpp"
 #include "drivers/material/fortran_compiler.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/text/words.hpp"
@@ -49,6 +50,8 @@ class Describer {
     library_ = library_of_source(source_);
     entry_ = entry_of_source(source_, adapters::exported_symbols(library_.file), request.symbol, request.symbol_key);
     facts_ = facts_of(source_, entry_);
+    constants_ = constants_word(entry_.interface);
+    variables_word_ = state_word(entry_.interface);
     name_ = as_name(fs::path(source).stem().string());
   }
 
@@ -64,8 +67,8 @@ class Describer {
     if (deck_) append_all(result.warnings, deck_->warnings);
     append_all(result.warnings, library_.warnings);
     append_all(result.warnings, entry_traps(source_, entry_));
-    warn_of_too_few(facts_.props, "PROPS", properties_.size(), result.warnings);
-    warn_of_too_few(facts_.state, "STATEV", static_cast<std::size_t>(state_), result.warnings);
+    warn_of_too_few(facts_.props, constants_, properties_.size(), result.warnings);
+    warn_of_too_few(facts_.state, variables_word_, static_cast<std::size_t>(state_), result.warnings);
     return result;
   }
 
@@ -91,9 +94,9 @@ class Describer {
       if (request_.needs_values) {
         throw InputError(
             {source_.file}, "--props",
-            "required and not given: " + uses_of(use, "PROPS") + ", as --props 1000,.3" + deck_hint(source_.file));
+            "required and not given: " + uses_of(use, constants_) + ", as --props 1000,.3" + deck_hint(source_.file));
       }
-      refuse_what_is_not_told(use, "PROPS", request_.least_properties > 0);
+      refuse_what_is_not_told(use, constants_, request_.least_properties > 0);
       const auto count = std::max(static_cast<std::size_t>(use.largest), request_.least_properties);
       properties_.assign(count, {"", NAN});
       properties_from_ = "the source";
@@ -126,9 +129,9 @@ class Describer {
     } else if (use.used) {
       if (request_.needs_values && !use.whole) {
         throw InputError({source_.file}, "--statev",
-                         "required and not given: " + uses_of(use, "STATEV") + deck_hint(source_.file));
+                         "required and not given: " + uses_of(use, variables_word_) + deck_hint(source_.file));
       }
-      refuse_what_is_not_told(use, "STATEV", false);
+      refuse_what_is_not_told(use, variables_word_, false);
       state_ = use.largest;
       state_from_ = "the source";
     }
@@ -155,15 +158,15 @@ class Describer {
 
   std::vector<std::string> notes() const {
     std::vector<std::string> all{source_note()};
-    const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + " " + what; };
+    const auto count = [](std::size_t n, const std::string& what) { return std::to_string(n) + " " + what + " from "; };
     if (!properties_from_.empty()) {
-      all.push_back(count(properties_.size(), "PROPS from ") + properties_from_ + "; " +
-                    uses_of(facts_.props, "PROPS"));
+      all.push_back(count(properties_.size(), constants_) + properties_from_ + "; " +
+                    uses_of(facts_.props, constants_));
     }
     if (!state_from_.empty()) {
       all.push_back(
-          count(static_cast<std::size_t>(state_), "STATEV from ") + state_from_ + "; " +
-          uses_of(facts_.state, "STATEV") +
+          count(static_cast<std::size_t>(state_), variables_word_) + state_from_ + "; " +
+          uses_of(facts_.state, variables_word_) +
           (state_ >= 6 ? "; all are taken as scalars, because the source does not say which are tensors" : ""));
     }
     if (density_) all.push_back(density_->words);
@@ -183,15 +186,17 @@ class Describer {
     text += with_comment("source: " + yaml_scalar(source_.file), "compiled when it has changed");
     if (!request_.link.empty()) text += with_comment("link: " + yaml_list(request_.link), "of --link");
     text += "name: " + yaml_scalar(name_) + "\n";
-    text += with_comment(std::string("interface: ") + (umat ? "umat" : "vumat"), "by its entry");
+    text += with_comment("interface: " + word_of(entry_.interface), "by its entry");
     text += "symbol: " + yaml_scalar(entry_.symbol) + "\n";
+    if (entry_.interface == adapters::ForeignInterface::lsdyna)
+      text += "arguments: " + std::to_string(entry_.routine.arguments.size()) + "\n";
     text += properties_yaml() + state_yaml();
     if (umat)
       text += with_comment("# strain: finite", "where DDSDDE is that of J sigma with Jaumann's rate; small otherwise");
     text +=
         with_comment("# flags: [non_smooth]", "what yields, breaks or touches; rate_dependent: what flows with time");
     const std::string material = deck_ ? deck_->name : request_.material;
-    if (!material.empty())
+    if (!material.empty() && !is_one_of("material_name", keys_without_effect(word_of(entry_.interface))))
       text += "material_name: " + yaml_scalar(capital_letters(material).substr(0, longest_name)) + "\n";
     if (!density_) return text;
     text += with_comment("density: " + yaml_number(density_->si), "kg/m^3");
@@ -203,7 +208,7 @@ class Describer {
 
   std::string properties_yaml() const {
     if (properties_.empty()) return {};
-    std::string text = with_comment("properties:", "PROPS, in this order, from " + properties_from_);
+    std::string text = with_comment("properties:", constants_ + ", in this order, from " + properties_from_);
     for (std::size_t k = 0; k < properties_.size(); ++k) {
       const GivenProperty& p = properties_[k];
       const std::string name = p.name.empty() ? "p" + std::to_string(k + 1) : p.name;
@@ -239,7 +244,7 @@ class Describer {
     if (state_ == 0) return {};
     const std::string advice =
         state_ >= 6 ? "; declare the tensors among them: {back_stress: symmetric_tensor, p: scalar}" : "";
-    const std::string of = "STATEV, in this order, from " + state_from_ + advice;
+    const std::string of = variables_word_ + ", in this order, from " + state_from_ + advice;
     if (variables_.empty()) return with_comment("state: " + std::to_string(state_), of);
     return with_comment("state:", of) + named_state_yaml();
   }
@@ -268,9 +273,10 @@ class Describer {
   SourceLibrary library_;
   SourceEntry entry_;
   SourceFacts facts_;
-  std::string name_;                       ///< of the model
-  std::vector<GivenProperty> properties_;  ///< NaN: to be given by whoever uses it
-  std::string properties_from_;            ///< "--props", "*User Material", "the source"; empty: there are none
+  std::string constants_, variables_word_;  ///< names of the arrays, in the words of the interface
+  std::string name_;                        ///< of the model
+  std::vector<GivenProperty> properties_;   ///< NaN: to be given by whoever uses it
+  std::string properties_from_;             ///< "--props", "*User Material", "the source"; empty: there are none
   int state_ = 0;
   std::vector<DeckVariable> variables_;  ///< names of some of them
   std::string state_from_;

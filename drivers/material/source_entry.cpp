@@ -25,6 +25,13 @@ std::optional<ForeignInterface> interface_by_arguments(const FortranRoutine& rou
   return std::nullopt;
 }
 
+std::optional<ForeignInterface> interface_of_other_vendors(const FortranRoutine& routine) {
+  const std::size_t count = routine.arguments.size();
+  if (routine.name == "usermat" && (count == 41 || count == 42)) return ForeignInterface::usermat;
+  if (is_name_of_lsdyna(routine.name) && (count == 16 || count == 18)) return ForeignInterface::lsdyna;
+  return std::nullopt;
+}
+
 std::optional<ForeignInterface> interface_by_name(const std::string& name) {
   if (name == "umat" || name.starts_with("umat_")) return ForeignInterface::umat;
   if (name == "vumat" || name.starts_with("vumat_")) return ForeignInterface::vumat;
@@ -41,6 +48,7 @@ FortranRoutine routine_named(const std::vector<FortranRoutine>& routines, const 
 std::optional<SourceEntry> entry_behind(const std::string& symbol, const std::vector<FortranRoutine>& routines) {
   const std::string name = fortran_name(symbol);
   FortranRoutine routine = routine_named(routines, name);
+  if (const auto other = interface_of_other_vendors(routine)) return SourceEntry{symbol, *other, std::move(routine)};
   const auto by_arguments = interface_by_arguments(routine), by_name = interface_by_name(name);
   if (by_arguments) return SourceEntry{symbol, *by_arguments, std::move(routine)};
   const bool plain = name == "umat" || name == "vumat";
@@ -73,10 +81,12 @@ InputError none_found(const FortranSource& source, const std::vector<FortranRout
     }
     names.push_back(routine.name + " (" + count + ")");
   }
-  return {{source.file},
-          "",
-          "has no UMAT and no VUMAT: no routine of that name, and none of 37 or 33 arguments",
-          names.empty() ? "" : "its subroutines " + joined(names)};
+  return {
+      {source.file},
+      "",
+      "has no UMAT and no VUMAT: no routine of that name, and none of 37 or 33 arguments; no usermat, and no umat41 "
+      "to umat50",
+      names.empty() ? "" : "its subroutines " + joined(names)};
 }
 
 /// Of several arrays together: old and new state of a VUMAT.
@@ -121,7 +131,7 @@ SourceEntry entry_of_source(const FortranSource& source, const std::vector<std::
     auto entry = entry_behind(symbol, routines);
     if (!entry) continue;
     const std::string name = fortran_name(symbol);
-    if (name == "umat" || name == "vumat") plain.push_back(*entry);
+    if (is_one_of(name, {"umat", "vumat", "usermat"})) plain.push_back(*entry);
     entries.push_back(std::move(*entry));
   }
   if (!asked.empty()) return asked_entry(source, symbols, entries, asked);
@@ -144,11 +154,26 @@ const std::vector<std::string>& usual_arguments(ForeignInterface interface) {
       "relspininc",    "tempold", "stretchold", "defgradold", "fieldold",   "stressold", "stateold", "enerinternold",
       "enerinelasold", "tempnew", "stretchnew", "defgradnew", "fieldnew",   "stressnew", "statenew", "enerinternnew",
       "enerinelasnew"};
+  static const std::vector<std::string> of_usermat{
+      "matid",   "elemid", "kdomintpt", "klayer",  "ksectpt", "ldstep", "isubst",    "keycut", "ndirect",
+      "nshear",  "ncomp",  "nstatev",   "nprop",   "time",    "dtime",  "temp",      "dtemp",  "stress",
+      "ustatev", "dsdepl", "sedel",     "sedpl",   "epseq",   "strain", "dstrain",   "epspl",  "prop",
+      "coords",  "var0",   "defgrad_t", "defgrad", "tsstif",  "epszz",  "cutfactor", "var1",   "var2",
+      "var3",    "var4",   "var5",      "var6",    "var7"};
+  static const std::vector<std::string> of_lsdyna{"cm",     "eps",   "sig",  "epsp",   "hsv",    "dt1",
+                                                  "capa",   "etype", "tt",   "temper", "failel", "crv",
+                                                  "nnpcrv", "cma",   "qmat", "elsiz",  "idele",  "reject"};
+  if (interface == ForeignInterface::usermat) return of_usermat;
+  if (interface == ForeignInterface::lsdyna) return of_lsdyna;
   return interface == ForeignInterface::umat ? of_umat : of_vumat;
 }
 
 EntryNames names_of_entry(const SourceEntry& entry) {
   const std::vector<std::string>&own = entry.routine.arguments, &usual = usual_arguments(entry.interface);
+  const auto at = [&](const char* word) { return own[index_of(word, usual)]; };  // those in front are always there
+  if (entry.interface == ForeignInterface::usermat)
+    return {at("prop"), at("dtime"), {at("ustatev")}, {at("strain"), at("dstrain")}, {at("defgrad")}, {}};
+  if (entry.interface == ForeignInterface::lsdyna) return {at("cm"), at("dt1"), {at("hsv")}, {at("eps")}, {}, {}};
   const bool umat = entry.interface == ForeignInterface::umat, known = own.size() == usual.size();
   if (umat && !known) return {};
   const auto name = [&](const char* word) { return known ? own[index_of(word, usual)] : word; };
@@ -165,7 +190,29 @@ bool is_plain_variable(const std::string& name) {
   return std::all_of(name.begin(), name.end(), [](char c) { return is_letter_or_digit(c) || c == '_'; });
 }
 
-std::string capital_name(ForeignInterface interface) { return capital_letters(word_of(interface)); }
+std::string capital_name(ForeignInterface interface) {
+  return interface == ForeignInterface::lsdyna ? "user material of LS-DYNA" : capital_letters(word_of(interface));
+}
+
+std::string constants_word(ForeignInterface interface) {
+  return interface == ForeignInterface::lsdyna ? "cm" : interface == ForeignInterface::usermat ? "prop" : "PROPS";
+}
+
+std::string state_word(ForeignInterface interface) {
+  return interface == ForeignInterface::lsdyna ? "hsv" : interface == ForeignInterface::usermat ? "ustatev" : "STATEV";
+}
+
+bool is_name_of_lsdyna(const std::string& name) {
+  const bool forties = name.size() == 6 && name.starts_with("umat4") && name[5] >= '1' && name[5] <= '9';
+  return forties || name == "umat50";
+}
+
+bool is_of_lsdyna(const FortranSource& source) {
+  const std::vector<FortranRoutine> routines = source.routines();
+  return std::ranges::any_of(routines, [](const FortranRoutine& routine) {
+    return interface_of_other_vendors(routine) == ForeignInterface::lsdyna;
+  });
+}
 
 std::optional<SourceEntry> entry_named(const FortranSource& source, const std::string& symbol) {
   return entry_behind(symbol, source.routines());
@@ -183,7 +230,7 @@ SourceFacts facts_of(const FortranSource& source, const SourceEntry& entry) {
   const bool gradients = uses_any(all, names.gradients), strains = uses_any(all, names.strains);
   facts.finite_strain = umat && gradients && !strains;
   if (facts.uses_duration) {
-    facts.sentences.emplace_back(std::string(umat ? "DTIME" : "dt") +
+    facts.sentences.emplace_back((umat ? "DTIME" : names.dtime) +
                                  " is used: if the stress depends on the rate, write flags: [rate_dependent]");
   }
   if (umat && facts.state.used && !gradients && !uses_any(all, names.rotations)) {

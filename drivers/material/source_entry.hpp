@@ -17,8 +17,17 @@ namespace assay::drivers {
 /// What Abaqus hands over, by the names of its manual, in small letters; a routine may call them otherwise.
 const std::vector<std::string>& usual_arguments(adapters::ForeignInterface interface);
 
-/// "UMAT".
+/// What it is called by its users: "UMAT", "USERMAT", "user material of LS-DYNA".
 std::string capital_name(adapters::ForeignInterface interface);
+
+/// The arrays of the constants and of the state, as the manual of an interface has them: PROPS and STATEV, cm and hsv.
+std::string constants_word(adapters::ForeignInterface interface);
+std::string state_word(adapters::ForeignInterface interface);
+
+/// umat41 to umat50.
+bool is_name_of_lsdyna(const std::string& name);
+/// Whether it has such a routine, in its scalar form: reals have 8 bytes there, whatever is declared.
+bool is_of_lsdyna(const FortranSource& source);
 
 /// Letters, digits and underscores: no element of an array.
 bool is_plain_variable(const std::string& name);
@@ -29,7 +38,8 @@ struct SourceEntry {
   FortranRoutine routine;  ///< without arguments where the text has none of that name
 };
 
-/// By the names of the library's symbols and the numbers of their arguments: 37 of a UMAT, 33 of a VUMAT. The plain
+/// By the names of the library's symbols and the numbers of their arguments: 37 of a UMAT, 33 of a VUMAT. By their
+/// names: usermat of 41 or 42 arguments, umat41 to umat50 of 16 or 18. The plain
 /// names umat and vumat go before others, as in Abaqus. asked: a name, with or without its underscore, in any letters;
 /// empty: the only one. Throws InputError at the source: none, or several; `key` names the choice.
 SourceEntry entry_of_source(const FortranSource& source, const std::vector<std::string>& symbols,

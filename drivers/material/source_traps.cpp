@@ -127,7 +127,8 @@ std::string list_trap(const std::vector<std::string>& arguments, const std::vect
 
 std::vector<std::string> entry_traps(const FortranSource& source, const SourceEntry& entry) {
   const FortranRoutine& routine = entry.routine;
-  if (routine.line == 0) return {};
+  const bool of_abaqus = entry.interface == ForeignInterface::umat || entry.interface == ForeignInterface::vumat;
+  if (routine.line == 0 || !of_abaqus) return {};
   const std::vector<std::string>& usual = usual_arguments(entry.interface);
   const std::string where = place_text(source.file, routine.line), list = list_trap(routine.arguments, usual);
   if (!list.empty()) return {where + list};

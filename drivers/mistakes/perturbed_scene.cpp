@@ -76,6 +76,7 @@ std::string why_no_mistakes(const Scene& scene) {
   if (scene.dimension == 3 || !scene.motion->is_plane()) return "in space";
   if (scene.frame) return "in a moving frame";
   if (scene.force.quasi_static) return "without inertia";
+  if (!scene.initial_cauchy().isZero(0)) return "under an initial stress";
   if (acceleration_jumps(scene.motion))
     return "in a motion whose acceleration jumps: steps of time may miss that. `interpolation: spline` is smooth";
   return {};

@@ -87,16 +87,22 @@ const Kind* kind_of(const std::vector<std::string>& names) {
 }  // namespace
 
 std::vector<std::string> result_files() {
-  return {"result.json",       "errors.csv",          "resolved.yaml",     "particles.pvd",     "particles_#.vtu",
-          "report.html",       "error.png",           "shear.png",         "jacobian.png",      "cut_error.png",
-          "cut_shear.png",     "cut_jacobian.png",    "view_error.png",    "view_shear.png",    "view_jacobian.png",
-          "error_history.png", "replay.yaml",         "replay_scene.yaml", "last_good.vtu",     "material.log",
-          "sheet.csv",         "curve.csv",           "tau.png",           "slope.png",         "sheet.png",
-          "history.csv",       "histories.png",       "+points.csv",       "path.csv",          "path_#.csv",
-          "path.npz",          "path_#.npz",          "path_stress.png",   "path_stresses.png", "path_strains.png",
-          "path_volume.png",   "path_invariants.png", "path_energy.png",   "path_state.png",    "comparisons.csv",
-          "increments.csv",    "increments_#.csv",    "increments.png",    "increments_#.png",  "iso_error.csv",
-          "iso_error_#.csv",   "iso_error.png",       "iso_error_#.png",   "path_compare.png"};
+  std::vector<std::string> files{"result.json",     "errors.csv",        "resolved.yaml",     "particles.pvd",
+                                 "particles_#.vtu", "report.html",       "error.png",         "shear.png",
+                                 "jacobian.png",    "cut_error.png",     "cut_shear.png",     "cut_jacobian.png",
+                                 "view_error.png",  "view_shear.png",    "view_jacobian.png", "error_history.png",
+                                 "replay.yaml",     "replay_scene.yaml", "last_good.vtu",     "material.log",
+                                 "sheet.csv",       "curve.csv",         "tau.png",           "slope.png",
+                                 "sheet.png",       "history.csv",       "histories.png",     "+points.csv"};
+  append_all(files, {"path.csv",         "path_#.csv",          "path.npz",
+                     "path_#.npz",       "path_stress.png",     "path_stresses.png",
+                     "path_strains.png", "path_volume.png",     "path_invariants.png",
+                     "path_energy.png",  "path_state.png",      "comparisons.csv",
+                     "increments.csv",   "increments_#.csv",    "increments.png",
+                     "increments_#.png", "increments_cost.png", "increments_cost_#.png",
+                     "iso_error.csv",    "iso_error_#.csv",     "iso_error.png",
+                     "iso_error_#.png",  "path_compare.png"});
+  return files;
 }
 
 OutputFolder::OutputFolder(fs::path target, std::vector<std::string> names)

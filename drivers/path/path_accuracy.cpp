@@ -39,6 +39,21 @@ std::string increments_csv(const std::vector<IncrementFindings>& findings) {
   return csv.text();
 }
 
+/// Error over the time that all calls of the path take.
+LinePlot cost_plot(const std::vector<IncrementFindings>& findings, const std::string& title) {
+  Series stress;
+  stress.markers = true;
+  for (const IncrementFindings& each : findings) {
+    stress.x.push_back(1e-6 * each.call_ns * static_cast<double>(each.material_calls)), stress.y.push_back(each.error);
+  }
+  return {.title = title + ": what accuracy costs",
+          .x_label = "time of the path [ms]",
+          .y_label = "relative error of the stress",
+          .log_x = true,
+          .log_y = true,
+          .series = {stress}};
+}
+
 LinePlot increments_plot(const std::vector<IncrementFindings>& findings, const std::string& title) {
   Series stress, deformation;
   stress.name = "stress", deformation.name = "deformation";
@@ -86,12 +101,17 @@ PathAccuracy path_accuracy(const PathScene& scene, const Material& material, con
   const std::string title = (scene.title.empty() ? material.name() : scene.title) + (label.empty() ? "" : ", " + label);
   if (!scene.increments.empty()) {
     try {
-      accuracy.increments = findings_of(increment_errors(material, control_of(scene), scene.increments));
+      accuracy.increments =
+          findings_of(increment_errors(material, control_of(scene), scene.increments, [&](double share) {
+            stop_if_interrupted();
+            if (progress) progress(share);
+          }));
     } catch (const std::runtime_error&) {
       return accuracy;  // the path itself says why it does not come to its end
     }
     accuracy.files["increments.csv"] = increments_csv(accuracy.increments);
     accuracy.files["increments.png"] = png(increments_plot(accuracy.increments, title));
+    accuracy.files["increments_cost.png"] = png(cost_plot(accuracy.increments, title));
   }
   if (scene.iso_error) {
     const IsoErrorMap map = iso_errors(material, *scene.iso_error, [&](double share) {

@@ -2,6 +2,7 @@
 #include "drivers/path/path_function.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <numbers>
 
@@ -71,7 +72,8 @@ YamlRows rows_of(PathFunction& f) {
   if (f.type == Type::table) add({list_row("times", f.times), list_row("values", f.values), between});
   if (f.type == Type::file) {
     add({file_row(f.file), text_row("column", f.column), text_row("time", f.time), between,
-         number_row("factor", f.factor), number_row("offset", f.offset)});
+         number_row("factor", f.factor), number_row("offset", f.offset), text_row("unit", f.unit),
+         text_row("time_unit", f.time_unit)});
   }
   return rows;
 }
@@ -105,6 +107,21 @@ void check_table(const Tree& tree, const std::string& key, const PathFunction& f
   }
 }
 
+/// The numbers of the scene; those of a file are for its reader.
+void convert_to_si(PathFunction& f, HistoryKind kind, const Units& units, const std::string& key) {
+  const auto convert = [&](const Scale& scale, double& number) {
+    number = scale.to_si(number);
+    if (!std::isfinite(number)) throw InputError(f.where, key, "has a number without a value in SI units");
+  };
+  const Scale value = units.scale(si_unit_of(kind)), time = units.scale("s");
+  for (double* each : {&f.value, &f.from, &f.to, &f.mean, &f.amplitude, &f.offset}) convert(value, *each);
+  for (double* each : {&f.begin, &f.end, &f.period}) convert(time, *each);
+  for (std::vector<double>* list : {&f.sizes, &f.values}) {
+    for (double& each : *list) convert(value, each);
+  }
+  for (double& each : f.times) convert(time, each);
+}
+
 }  // namespace
 
 double PathFunction::last() const {
@@ -113,11 +130,13 @@ double PathFunction::last() const {
   return type == Type::ramp ? end : 0;
 }
 
-PathFunction read_path_function(const Tree& tree, const std::string& key) {
+PathFunction read_path_function(const Tree& tree, const std::string& key, const std::string& name, HistoryKind kind,
+                                const Units& units) {
   PathFunction f;
   f.where = tree.where;
   if (tree.kind == Tree::Kind::scalar) {
     f.value = number_value(tree, key);
+    convert_to_si(f, kind, units, key);
     return f;
   }
   require_map(tree, key, "a number, or a map with type: " + joined(function_words));
@@ -132,6 +151,8 @@ PathFunction read_path_function(const Tree& tree, const std::string& key) {
   if (f.type == Type::table) check_table(tree, key, f);
   if (f.type == Type::ramp && f.end != 0 && f.end <= f.begin)
     throw InputError(tree.where, key_path(key, "end"), "must be behind begin");
+  convert_to_si(f, kind, units, key);
+  if (f.type == Type::file) read_history_file(f, name, key, kind, units);
   return f;
 }
 
@@ -139,10 +160,12 @@ std::string path_function_yaml(const PathFunction& function) {
   if (function.type == Type::constant) return yaml_number(function.value);
   PathFunction copy = function;
   YamlRows rows = rows_of(copy);
+  const auto is_si = [](const std::string& unit) { return unit.empty() || parse_unit(unit)->scale.is_one(); };
   std::erase_if(rows, [&](const YamlRow& row) {
     const std::string name = row.name;
     return (name == "from" && !function.says_from) || (name == "end" && function.end == 0) ||
-           (name == "column" && function.column.empty());
+           (name == "column" && function.column.empty()) || (name == "unit" && is_si(function.unit)) ||
+           (name == "time_unit" && is_si(function.time_unit));
   });
   return flow_map(rows);
 }

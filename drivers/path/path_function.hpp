@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drivers/format/yaml_values.hpp"
+#include "drivers/text/units.hpp"
 #include "harness/control/time_function.hpp"
 
 namespace assay::drivers {
@@ -24,6 +25,7 @@ struct PathFunction {
   std::string file, column, time = "t";                   ///< file: absolute path, name of a column, of that of times
   Interpolation interpolation = Interpolation::linear;
   double factor = 1, offset = 0;  ///< file
+  std::string unit, time_unit;    ///< file: of columns whose headers say none; empty: those of the scene, then SI
   bool says_from = false, says_column = false;
   Location where;
 
@@ -31,8 +33,16 @@ struct PathFunction {
   double last() const;
 };
 
-/// Reads the value of a row. `key` is its path in messages. Throws InputError.
-PathFunction read_path_function(const Tree& tree, const std::string& key);
+/// What a column measures: a unit in its header must be of that. field: a quantity of the model, in its own unit.
+enum class HistoryKind { stress, number, time, rate, field };
+
+/// The SI unit of a kind.
+const char* si_unit_of(HistoryKind kind);
+
+/// Reads the value of a row, a file with it. `key` is its path in messages, `name` that of the row, which is the column
+/// where the scene names none. Throws InputError.
+PathFunction read_path_function(const Tree& tree, const std::string& key, const std::string& name, HistoryKind kind,
+                                const Units& units);
 
 /// YAML that reads back to the same.
 std::string path_function_yaml(const PathFunction& function);
@@ -41,12 +51,8 @@ std::string path_function_yaml(const PathFunction& function);
 /// where it ends where it does not say when.
 TimeFunction time_function_of(const PathFunction& function, double rest, double path_end);
 
-/// What a column measures: a unit in its header must be of that.
-enum class HistoryKind { stress, number, time, rate };
-
-/// Reads the file behind a function, whose values then stand in its table. `name`: of the row, which is the column
-/// where the scene names none. Throws InputError.
+/// Reads the file behind a function, whose values then stand in its table, in SI. Throws InputError.
 void read_history_file(PathFunction& function, const std::string& name, const std::string& key, HistoryKind kind,
-                       HistoryKind time_kind = HistoryKind::time);
+                       const Units& units = {}, HistoryKind time_kind = HistoryKind::time);
 
 }  // namespace assay::drivers

@@ -18,6 +18,11 @@ std::string axis_of(const PathTable& table, const std::string& name) {
   return name;
 }
 
+std::string unit_of(const PathTable& table, const std::string& name) {
+  const auto found = std::ranges::find(table.names, name);
+  return table.units[static_cast<std::size_t>(found - table.names.begin())];
+}
+
 LinePlot plot_over(const std::vector<NamedTable>& tables, const std::string& title, const std::string& x,
                    const std::vector<std::string>& names, const std::string& y_label = {}) {
   LinePlot plot;
@@ -40,7 +45,7 @@ LinePlot plot_over(const std::vector<NamedTable>& tables, const std::string& tit
 std::string driven_component(const PathScene& scene) {
   for (const PathRow& row : scene.rows) {
     if (row.origin == PathRow::Origin::given && row.value.type != PathFunction::Type::constant &&
-        !row.quantity.terms.empty()) {
+        !row.quantity.terms.empty() && !row.quantity.terms[0].of_J()) {
       const PathTerm& term = row.quantity.terms[0];
       return std::to_string(std::min(term.i, term.j) + 1) + std::to_string(std::max(term.i, term.j) + 1);
     }
@@ -64,7 +69,8 @@ std::map<std::string, std::string> path_pictures(const PathScene& scene, const s
     if (first.moves(std::string("e") + place)) strains.push_back(std::string("e") + place);
   }
   const std::vector<NamedTable> base{tables[0]};
-  add("path_stresses.png", plot_over(base, title + ": Cauchy stress", "t", stresses, "stress [Pa]"));
+  add("path_stresses.png",
+      plot_over(base, title + ": Cauchy stress", "t", stresses, "stress [" + unit_of(first, "s11") + "]"));
   add("path_strains.png", plot_over(base, title + ": logarithmic strain", "t", strains, "strain"));
   add("path_volume.png", plot_over(tables, title + ": volume", "e" + ij, {"J"}));
   add("path_invariants.png", plot_over(tables, title + ": path of stress", "pressure", {"mises"}));
@@ -72,7 +78,8 @@ std::map<std::string, std::string> path_pictures(const PathScene& scene, const s
   for (const char* name : {"energy", "dissipation"}) {
     if (first.column(name)) energies.emplace_back(name);
   }
-  add("path_energy.png", plot_over(base, title + ": energy per reference volume", "t", energies, "[J/m^3]"));
+  add("path_energy.png",
+      plot_over(base, title + ": energy per reference volume", "t", energies, "[" + unit_of(first, "work") + "]"));
   std::vector<std::string> states;
   const auto error = std::find(first.names.begin(), first.names.end(), "error");
   for (auto name = error == first.names.end() ? error : error + 1; name != first.names.end(); ++name) {
@@ -85,11 +92,19 @@ std::map<std::string, std::string> path_pictures(const PathScene& scene, const s
   const PathComparison& compare = *scene.compare;
   const auto name_of = [](const PathQuantity& quantity) {
     const PathTerm& term = quantity.terms[0];
-    return term.family + std::to_string(term.i + 1) + std::to_string(term.j + 1);
+    return term.of_J() ? term.family : term.family + std::to_string(term.i + 1) + std::to_string(term.j + 1);
   };
   LinePlot plot = plot_over(tables, title, compare.x.terms.empty() ? "t" : name_of(compare.x), {name_of(compare.y)});
-  plot.series.push_back(
-      {.name = "measured", .x = compare.y_of_x.times, .y = compare.y_of_x.values, .line = false, .markers = true});
+  const auto in_author_units = [&](std::vector<double> values, const PathQuantity& quantity) {
+    const char* si = quantity.terms.empty() ? "s" : si_unit_of(kind_of(quantity));
+    for (double& value : values) value = scene.units.scale(si).from_si(value);
+    return values;
+  };
+  plot.series.push_back({.name = "measured",
+                         .x = in_author_units(compare.y_of_x.times, compare.x),
+                         .y = in_author_units(compare.y_of_x.values, compare.y),
+                         .line = false,
+                         .markers = true});
   if (tables.size() == 1 && !plot.series.empty()) plot.series[0].name = "model";
   add("path_compare.png", plot);
   return files;

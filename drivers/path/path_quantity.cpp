@@ -43,6 +43,8 @@ std::size_t behind_exponent(const std::string& text, std::size_t at) {
 std::vector<PathTerm> terms_of(const std::string& word) {
   std::vector<PathTerm> terms;
   if (const auto one = component_of(word)) terms.push_back(*one);
+  if (word == "lnJ") terms.push_back({"lnJ"});
+  if (word == "J" || word == "detF") terms.push_back({"J"});
   for (int i = 0; i < 3; ++i) {
     if (word == "volume") terms.push_back({"e", i, i});
     if (word == "pressure") terms.push_back({"s", i, i, -1.0 / 3});
@@ -59,7 +61,7 @@ bool PathQuantity::of_deformation() const {
 }
 
 std::string PathQuantity::component() const {
-  if (terms.size() != 1 || terms[0].factor != 1) return {};
+  if (terms.size() != 1 || terms[0].factor != 1 || terms[0].of_J()) return {};
   return std::to_string(terms[0].i + 1) + std::to_string(terms[0].j + 1);
 }
 
@@ -114,6 +116,7 @@ std::optional<PathMeasures> measures_of(const std::vector<PathQuantity>& quantit
   std::string deformation, stress;
   for (const PathQuantity& quantity : quantities) {
     for (const PathTerm& term : quantity.terms) {
+      if (term.of_J()) continue;
       std::string& seen = term.of_stress() ? stress : deformation;
       if (!seen.empty() && seen != term.family) {
         fault = "a path is controlled by " +
@@ -124,8 +127,8 @@ std::optional<PathMeasures> measures_of(const std::vector<PathQuantity>& quantit
       seen = term.family;
     }
     const bool rates = std::ranges::any_of(quantity.terms, [](const PathTerm& term) { return term.family == "L"; });
-    if (rates && quantity.of_stress()) {
-      fault = "a velocity gradient cannot stand in one sum with a stress";
+    if (rates && (quantity.of_stress() || std::ranges::any_of(quantity.terms, &PathTerm::of_J))) {
+      fault = "a velocity gradient cannot stand in one sum with a stress, with J or with lnJ";
       return std::nullopt;
     }
   }
@@ -148,10 +151,19 @@ const char* letter_of(StressMeasure stress) {
   return stress == StressMeasure::cauchy ? "s" : stress == StressMeasure::kirchhoff ? "tau" : "P";
 }
 
-ControlQuantity control_quantity(const PathQuantity& quantity) {
+ControlQuantity control_quantity(const PathQuantity& quantity, Deformation deformation) {
   ControlQuantity found;
-  for (const PathTerm& term : quantity.terms)
-    (term.of_stress() ? found.stress : found.deformation)(term.i, term.j) += term.factor;
+  for (const PathTerm& term : quantity.terms) {
+    if (!term.of_J()) {
+      (term.of_stress() ? found.stress : found.deformation)(term.i, term.j) += term.factor;
+    } else if (term.family == "J") {
+      found.J += term.factor;
+    } else if (deformation == Deformation::gradient) {
+      found.ln_J += term.factor;
+    } else {
+      found.deformation += term.factor * Tensor::Identity();
+    }
+  }
   return found;
 }
 

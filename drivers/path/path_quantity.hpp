@@ -10,13 +10,15 @@
 
 namespace assay::drivers {
 
-/// One component with its factor. family: F, e, L (deformation) or s, tau, P (stress).
+/// One component with its factor. family: F, e, L (deformation), s, tau, P (stress), or lnJ and J = det F without
+/// indices, which stand beside any measure.
 struct PathTerm {
   std::string family;
   int i = 0, j = 0;  ///< from 0; i <= j of the symmetric ones e, s and tau
   double factor = 1;
 
   bool of_stress() const { return family == "s" || family == "tau" || family == "P"; }
+  bool of_J() const { return family == "J" || family == "lnJ"; }
   bool symmetric() const { return family == "e" || family == "s" || family == "tau"; }
 };
 
@@ -32,7 +34,8 @@ struct PathQuantity {
 
 /// The words that a quantity can be made of, for messages.
 inline constexpr const char* known_quantities =
-    "F11, e11, L11 (deformation), s11, tau11, P11 (stress) and the other components; volume, pressure; sums of them";
+    "F11, e11, L11 (deformation), s11, tau11, P11 (stress) and the other components; volume, pressure, J, lnJ; sums of "
+    "them";
 
 /// A sum; nothing where the text is none, and then what is wrong.
 std::optional<PathQuantity> parse_quantity(const std::string& text, std::string& fault);
@@ -48,7 +51,7 @@ std::optional<PathMeasures> measures_of(const std::vector<PathQuantity>& quantit
 const char* letter_of(Deformation deformation);
 const char* letter_of(StressMeasure stress);
 
-/// As the driver needs it.
-ControlQuantity control_quantity(const PathQuantity& quantity);
+/// As the driver needs it: ln J is the trace of e and of the integral of L, and a function of F.
+ControlQuantity control_quantity(const PathQuantity& quantity, Deformation deformation);
 
 }  // namespace assay::drivers

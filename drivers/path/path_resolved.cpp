@@ -34,35 +34,60 @@ std::string stop_text(const PathStop& stop) {
          yaml_number(stop.bound) + "}}";
 }
 
+/// Of a stage only the rows that are given: the others follow from where it begins.
+std::string section_text(const PathScene& scene, const std::string& indent, bool of_stage) {
+  std::string text = indent + "type: " + (of_stage ? scene.type : "general") + "\n", six;
+  bool stressed = false;
+  for (const double value : scene.initial_stress) {
+    stressed = stressed || value != 0;
+    six += (six.empty() ? "" : ", ") + yaml_number(value);
+  }
+  if (stressed) text += indent + "initial_stress: [" + six + "]\n";
+  text += indent + "end: " + yaml_number(scene.end) + "\n" + indent + "rows: " + std::to_string(scene.count) + "\n" +
+          indent + "calls: " + yaml_number(scene.most_calls) + "\n" + indent +
+          "tolerance: " + yaml_number(scene.tolerance) + "\n" + indent + "control:\n";
+  for (const PathRow& row : scene.rows) {
+    if (!of_stage || row.origin == PathRow::Origin::given)
+      text += indent + "  " + yaml_scalar(row.quantity.text) + ": " + path_function_yaml(row.value) + "\n";
+  }
+  if (!scene.fields.empty()) text += indent + "fields:\n";
+  for (const PathField& field : scene.fields)
+    text += indent + "  " + yaml_scalar(field.name) + ": " + path_function_yaml(field.value) + "\n";
+  if (!scene.stops.empty()) text += indent + "stop:\n";
+  for (const PathStop& stop : scene.stops) text += indent + "  - " + stop_text(stop) + "\n";
+  return text;
+}
+
+std::string item_text(const PathScene& stage) {
+  std::string text = section_text(stage, "    ", true);
+  text[2] = '-';
+  return text;
+}
+
 }  // namespace
 
 std::string resolved_path_yaml(const PathScene& scene) {
   std::string text;
   if (!scene.title.empty()) text += "title: " + yaml_scalar(scene.title) + "\n";
   text += "material:\n" + material_text(scene.material, "  ");
-  text += "path:\n  type: general\n";
-  bool stressed = false;
-  std::string six;
-  for (const double value : scene.initial_stress) {
-    stressed = stressed || value != 0;
-    six += (six.empty() ? "" : ", ") + yaml_number(value);
+  if (scene.later.empty()) {
+    text += "path:\n" + section_text(scene, "  ", false);
+  } else {
+    text += "stages:\n" + item_text(scene);
+    for (const PathScene& stage : scene.later) text += item_text(stage);
   }
-  if (stressed) text += "  initial_stress: [" + six + "]\n";
-  text += "  end: " + yaml_number(scene.end) + "\n  rows: " + std::to_string(scene.count) +
-          "\n  calls: " + yaml_number(scene.most_calls) + "\n  tolerance: " + yaml_number(scene.tolerance) +
-          "\n  control:\n";
-  for (const PathRow& row : scene.rows)
-    text += "    " + yaml_scalar(row.quantity.text) + ": " + path_function_yaml(row.value) + "\n";
-  if (!scene.stops.empty()) text += "  stop:\n";
-  for (const PathStop& stop : scene.stops) text += "    - " + stop_text(stop) + "\n";
   if (!scene.variants.empty()) text += "variants:\n";
   for (const PathVariant& variant : scene.variants)
     text += "  - label: " + yaml_scalar(variant.label) + "\n" + material_text(variant.material, "    ");
   if (scene.compare) {
     const PathComparison& c = *scene.compare;
+    const auto unit = [](const char* key, const std::string& word) {
+      return parse_unit(word)->scale.is_one() ? "" : std::string("\n  ") + key + ": " + yaml_scalar(word);
+    };
     text += "compare:\n  file: " + yaml_scalar(c.file) + "\n  x: " + yaml_scalar(c.x.terms.empty() ? "t" : c.x.text) +
             "\n  y: " + yaml_scalar(c.y.text) + "\n  x_column: " + yaml_scalar(c.y_of_x.time) +
-            (c.y_of_x.column.empty() ? "" : "\n  y_column: " + yaml_scalar(c.y_of_x.column)) + "\n";
+            (c.y_of_x.column.empty() ? "" : "\n  y_column: " + yaml_scalar(c.y_of_x.column)) +
+            unit("x_unit", c.y_of_x.time_unit) + unit("y_unit", c.y_of_x.unit) + "\n";
   }
   if (!scene.increments.empty()) {
     std::vector<std::string> counts;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/foreign/foreign_model.hpp"
 #include "drivers/path/path_scene.hpp"
 #include "drivers/path/path_table.hpp"
 #include "drivers/result/result.hpp"
@@ -52,7 +53,7 @@ struct PathFindings {
   std::string outcome = "completed", reason;
   double t = 0, error = 0, residual = 0;
   std::int64_t steps = 0, material_calls = 0;
-  Figure loses_ellipticity, misfit;
+  Figure loses_ellipticity, misfit, difference;
   std::optional<std::array<double, 3>> normal;
   std::vector<double> branches;
   std::vector<std::string> warnings;
@@ -76,6 +77,8 @@ struct PathFindings {
     archive("normal", self.normal, "", "then: normal of the plane, in the reference configuration");
     archive("branches", self.branches, "s", "times at which another solution begins");
     archive("misfit", self.misfit, "1", "root mean square difference to the measured values over their largest");
+    archive("difference", self.difference, "1",
+            "of a variant: largest difference of the stress to the scene's own material, over its largest stress");
     archive("increments", self.increments);
     archive.section("iso_error", self.iso_error);
     archive("warnings", self.warnings, "", "what did not stop the path");
@@ -84,8 +87,19 @@ struct PathFindings {
   }
 };
 
+struct UnitsOfResult {
+  std::string length, stress, time;
+
+  static void fields(auto& self, auto& archive) {
+    archive("length", self.length, "", "of lengths");
+    archive("stress", self.stress, "", "of stresses");
+    archive("time", self.time, "", "of times");
+  }
+};
+
 struct PathResult {
   std::string title;
+  UnitsOfResult units;
   PathFindings own;
   std::vector<PathFindings> variants;
   std::vector<ExpectationOutcome> expect;
@@ -95,6 +109,7 @@ struct PathResult {
 
   static void fields(auto& self, auto& archive) {
     archive("title", self.title, "", "of the scene");
+    archive("units", self.units);
     PathFindings::fields(self.own, archive);
     archive("variants", self.variants, "", "the same of each variant");
     archive("replay", or_null(self.replay), "", "replay.yaml, which shows again the step at which the model failed");
@@ -110,8 +125,13 @@ std::string path_result_json(const PathResult& result);
 std::map<std::string, double> path_figures(const PathResult& result);
 
 /// Which of these keys a map of expectations may have: `last.` and `largest.` go on with a column of path.csv, which
-/// is known when the material is.
-std::vector<std::string> path_figure_keys(const Tree& expect);
+/// is known when the material is. Those of a variant begin with `variants.LABEL.`.
+std::vector<std::string> path_figure_keys(const Tree& expect, const std::vector<PathVariant>& variants);
+
+/// Lines on what one material has found, and the one of the table's end that a user looks at first: what was
+/// prescribed.
+std::string findings_text(const PathFindings& found);
+std::string end_text(const PathScene& scene, const PathFindings& found);
 
 /// How a path can end.
 const std::vector<std::string>& path_outcomes();
@@ -124,6 +144,10 @@ struct PathAccuracy {
 };
 PathAccuracy path_accuracy(const PathScene& scene, const Material& material, const std::string& label,
                            const std::function<void(double)>& progress);
+
+/// The same path with the rows out of the plane that a model of plane stress has: strains 13 and 23 are zero, and the
+/// thickness follows. note: what was put in place. Throws InputError where the path prescribes something there.
+PathScene path_of_plane_stress(const PathScene& scene, const adapters::ForeignModel& model, std::string& note);
 
 /// Takes a material along the path. Throws InputError where rows do not fit the material.
 struct PathRun {

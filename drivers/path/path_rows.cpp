@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The rows of a path: those of its type, and those that hold what nobody names.
 #include <algorithm>
+#include <cmath>
 #include <set>
 
-#include "drivers/path/path_scene.hpp"
+#include "drivers/format/yaml_writer.hpp"
+#include "drivers/path/path_table.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/words.hpp"
 
@@ -34,22 +36,44 @@ std::string in_measures(const std::string& pattern, const PathScene& scene) {
   return text;
 }
 
-/// Components that a row is about: "D11", "S12"; of a symmetric stress beside nine components of a deformation the
-/// upper one.
+/// Components that a row is about: "11", "12"; of a symmetric stress beside nine components of a deformation the
+/// upper one. J is about all stretches.
 void note_components(const PathQuantity& quantity, std::set<std::string>& found) {
-  for (const PathTerm& term : quantity.terms) found.insert(std::to_string(term.i + 1) + std::to_string(term.j + 1));
+  for (const PathTerm& term : quantity.terms) {
+    if (term.of_J()) found.insert({"11", "22", "33"});
+    if (!term.of_J()) found.insert(std::to_string(term.i + 1) + std::to_string(term.j + 1));
+  }
+}
+
+/// Where the path or stage begins.
+ControlledPoint rest_point(const PathScene& scene) {
+  if (scene.start) return *scene.start;
+  ControlledPoint rest;
+  rest.q = deformation_at_rest(scene.deformation), rest.s = symmetric_tensor(scene.initial_stress);
+  return rest;
 }
 
 double rest_of(const PathScene& scene, const PathQuantity& quantity) {
+  const ControlledPoint point = rest_point(scene);
   double rest = 0;
   for (const PathTerm& term : quantity.terms) {
-    if (term.family == "F" && term.i == term.j) rest += term.factor;
-    if (term.of_stress()) {
-      constexpr int place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
-      rest += term.factor * scene.initial_stress[static_cast<std::size_t>(place[term.i][term.j])];
-    }
+    const double J = term.of_J() ? point.F.determinant() : 1;
+    rest += term.factor * (term.family == "lnJ" ? std::log(J)
+                           : term.of_J()        ? J
+                           : term.of_stress()   ? point.s(term.i, term.j)
+                                                : point.q(term.i, term.j));
   }
   return rest;
+}
+
+/// ln J where a stage begins, of a row in which the trace of the integral of L since then stands for it.
+double shift_of_volume(const PathScene& scene, const PathQuantity& quantity) {
+  if (!scene.start || scene.deformation != Deformation::velocity_gradient) return 0;
+  double shift = 0;
+  for (const PathTerm& term : quantity.terms) {
+    if (term.family == "lnJ") shift += term.factor * std::log(scene.start->F.determinant());
+  }
+  return shift;
 }
 
 void add_supplied(const PathType& type, PathScene& scene) {
@@ -79,6 +103,13 @@ void add_held(PathScene& scene) {
 
 }  // namespace
 
+PathQuantity quantity_at(const std::string& text, const Location& where, const std::string& key) {
+  std::string fault;
+  const auto quantity = parse_quantity(text, fault);
+  if (!quantity) throw InputError(where, key, fault, known_quantities);
+  return *quantity;
+}
+
 const std::vector<PathType>& path_types() {
   static const std::vector<PathType> all{
       {"general", "every row is given", {}, {}},
@@ -106,21 +137,17 @@ void complete_rows(PathScene& scene, const Location& where) {
   if (!type->drives.empty()) {
     const bool drives = std::ranges::any_of(scene.rows, [&](const PathRow& row) {
       return std::ranges::any_of(row.quantity.terms, [&](const PathTerm& term) {
-        return is_one_of(std::to_string(term.i + 1) + std::to_string(term.j + 1), type->drives);
+        return term.of_J() || is_one_of(std::to_string(term.i + 1) + std::to_string(term.j + 1), type->drives);
       });
     });
     if (!drives)
       throw InputError(
-          where, "path.control",
+          where, key_path(scene.section, "control"),
           "path.type " + scene.type + " is driven by a component " + joined(type->drives) + ", as e" + type->drives[0]);
   }
   PathType in_use = *type;
   for (std::string& pattern : in_use.supplies) {
-    if (pattern != "V") continue;
-    if (scene.deformation == Deformation::gradient)
-      throw InputError(where, "path.control",
-                       "path.type " + scene.type + " takes e or L: det F is no sum of F11, F22 ...");
-    pattern = "D11 + D22 + D33";
+    if (pattern == "V") pattern = scene.deformation == Deformation::gradient ? "lnJ" : "D11 + D22 + D33";
   }
   add_supplied(in_use, scene);
   add_held(scene);
@@ -128,7 +155,7 @@ void complete_rows(PathScene& scene, const Location& where) {
   if (scene.rows.size() != needed) {
     std::string list;
     for (const PathRow& row : scene.rows) list += (list.empty() ? "" : ", ") + row.quantity.text;
-    throw InputError(where, "path.control",
+    throw InputError(where, key_path(scene.section, "control"),
                      std::to_string(scene.rows.size()) + " rows for the " + std::to_string(needed) + " components of " +
                          letter_of(scene.deformation) + ": " + list);
   }
@@ -138,12 +165,28 @@ void warn_of_swings(PathScene& scene) {
   for (const PathRow& row : scene.rows) {
     const auto departure = time_function_of(row.value, 0, scene.end).farthest_departure();
     if (!departure || !(departure->by > 0)) continue;
-    scene.warnings.push_back("path.control." + row.quantity.text +
-                             ": the spline leaves the range of its data, at t = " + rounded_text(departure->x, 4) +
-                             " s to " + rounded_text(departure->value, 5) + " between " +
-                             rounded_text(departure->lower, 5) + " and " + rounded_text(departure->upper, 5) +
-                             "; interpolation: monotone does not");
+    const Scale scale = scene.units.scale(si_unit_of(kind_of(row.quantity)));
+    const auto value = [&](double si) { return rounded_text(scale.from_si(si), 5); };
+    scene.warnings.push_back(
+        key_path(key_path(scene.section, "control"), row.quantity.text) +
+        ": the spline leaves the range of its data, at t = " + scene.units.text(departure->x, "s", 4) + " to " +
+        value(departure->value) + " between " + value(departure->lower) + " and " + value(departure->upper) +
+        "; interpolation: monotone does not");
   }
+}
+
+PathQuantity in_si(PathQuantity quantity, const Units& units) {
+  if (units.is_si() || !quantity.of_stress() || !quantity.of_deformation()) return quantity;
+  quantity.text.clear();
+  for (PathTerm& term : quantity.terms) {
+    if (!term.of_stress()) term.factor = units.scale("Pa").to_si(term.factor);
+    const double size = std::abs(term.factor);
+    const std::string sign = term.factor < 0 ? "-" : quantity.text.empty() ? "" : "+";
+    quantity.text += (quantity.text.empty() ? "" : " ") + sign + (sign.empty() ? "" : " ") +
+                     (size == 1 ? "" : yaml_number(size) + " ") + term.family + std::to_string(term.i + 1) +
+                     std::to_string(term.j + 1);
+  }
+  return quantity;
 }
 
 HistoryKind kind_of(const PathQuantity& quantity) {
@@ -152,11 +195,12 @@ HistoryKind kind_of(const PathQuantity& quantity) {
   return rate ? HistoryKind::rate : HistoryKind::number;
 }
 
-void check_times(const PathRow& row, double end) {
+void check_times(const PathRow& row, const PathScene& scene) {
+  const double end = scene.end;
   const PathFunction& f = row.value;
-  const std::string key = "path.control." + row.quantity.text;
+  const std::string key = key_path(key_path(scene.section, "control"), row.quantity.text);
   if (f.type == PathFunction::Type::ramp && f.begin >= end)
-    throw InputError(f.where, key_path(key, "begin"), "the path ends at " + number_text(end) + " s");
+    throw InputError(f.where, key_path(key, "begin"), "the path ends at " + scene.units.text(end, "s"));
   const bool waves = f.type == PathFunction::Type::sine || f.type == PathFunction::Type::cycles;
   if (waves && end / f.period > most_periods)
     throw InputError(
@@ -164,34 +208,55 @@ void check_times(const PathRow& row, double end) {
         rounded_text(end / f.period, 3) + " periods until the end: " + number_text(most_periods) + " at most");
 }
 
+PathScene begun_at(const PathScene& stage, const ControlledPoint& point, StressMeasure measure) {
+  constexpr double rotated = 1e-9;  // of F: beyond, it is no rounding
+  PathScene begun = stage;
+  ControlledPoint& start = begun.start.emplace(point);
+  start.s = stress_in(stage.stress, cauchy_of(measure, point.s, point.F), point.F);
+  start.q.setZero();  // the integral of L begins anew
+  if (stage.deformation == Deformation::gradient) start.q = point.F;
+  if (stage.deformation == Deformation::logarithmic_strain) {
+    if ((point.F - point.F.transpose()).norm() > rotated * point.F.norm())
+      throw InputError(stage.where, key_path(stage.section, "control"),
+                       "is controlled by e, which knows no rotation, and the body has rotated before: take F or L");
+    start.q = log_of_stretch(point.F);
+  }
+  for (PathRow& row : begun.rows) {
+    if (row.origin != PathRow::Origin::given) row.value.value = rest_of(begun, row.quantity);
+  }
+  return begun;
+}
+
 Control control_of(const PathScene& scene) {
   Control control;
   control.deformation = scene.deformation;
   control.stress = scene.stress;
-  std::set<double> knots{0, scene.end};
+  control.start = scene.start;
+  const double begin = scene.start ? scene.start->t : 0;
+  std::set<double> knots{begin, begin + scene.end};
   for (const PathRow& row : scene.rows) {
-    const ControlQuantity quantity = control_quantity(row.quantity);
     const TimeFunction f = time_function_of(row.value, rest_of(scene, row.quantity), scene.end);
-    for (const double t : f.knots(scene.end)) knots.insert(t);
+    for (const double t : f.knots(scene.end)) knots.insert(begin + t);
     ControlRow made;
-    made.deformation = quantity.deformation, made.stress = quantity.stress;
-    const bool integrated = scene.deformation == Deformation::velocity_gradient && !row.quantity.of_stress();
-    made.value = [f, integrated](double t, bool after) { return integrated ? f.integral(t) : f.at(t, after); };
+    static_cast<ControlQuantity&>(made) = control_quantity(row.quantity, scene.deformation);
+    const bool integrated = kind_of(row.quantity) == HistoryKind::rate;
+    const double shift = integrated ? 0 : shift_of_volume(scene, row.quantity);
+    made.value = [f, integrated, begin, shift](double t, bool after) {
+      return integrated ? f.integral(t - begin) : f.at(t - begin, after) - shift;
+    };
     control.rows.push_back(std::move(made));
   }
+  for (const double t : knots_of_fields(scene)) knots.insert(t);
   control.knots.assign(knots.begin(), knots.end());
-  constexpr int place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j)
-      control.initial_cauchy(i, j) = scene.initial_stress[static_cast<std::size_t>(place[i][j])];
-  }
+  control.initial_cauchy = symmetric_tensor(scene.initial_stress);
   for (const PathStop& stop : scene.stops) {
-    ControlStop made{stop.when, control_quantity(stop.quantity), stop.bound, {}};
+    ControlStop made{stop.when, control_quantity(stop.quantity, scene.deformation), stop.bound, {}};
     const std::string name = stop.quantity.text;
     made.name = stop.when == ControlStop::When::loss_of_ellipticity ? "loss of ellipticity"
                 : stop.when == ControlStop::When::peak
                     ? "peak of " + name
-                    : name + (stop.when == ControlStop::When::above ? " above " : " below ") + number_text(stop.bound);
+                    : name + (stop.when == ControlStop::When::above ? " above " : " below ") +
+                          number_text(scene.units.scale(si_unit_of(kind_of(stop.quantity))).from_si(stop.bound));
     control.stops.push_back(std::move(made));
   }
   return control;

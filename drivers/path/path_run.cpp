@@ -43,14 +43,15 @@ std::string stresses_text(const PathScene& scene, const ControlledRow& row) {
   std::string text;
   for (const PathRow& each : scene.rows) {
     if (!each.quantity.of_stress() || each.origin != PathRow::Origin::given) continue;
-    text += ", " + each.quantity.text + " = " + rounded_text(value_of(control_quantity(each.quantity), row), 6) + " Pa";
+    text += ", " + each.quantity.text + " = " +
+            scene.units.text(value_of(control_quantity(each.quantity, scene.deformation), row), "Pa", 6);
   }
   return text;
 }
 
 std::string reason_of(const PathScene& scene, const ControlledHistory& history) {
   const double t = history.rows.back().t;
-  const std::string at = " at t = " + rounded_text(t, 6) + " s";
+  const std::string at = " at t = " + scene.units.text(t, "s", 6);
   const std::string along = direction_text(history.direction, scene.deformation);
   switch (history.outcome) {
     case ControlOutcome::completed:
@@ -68,6 +69,7 @@ std::string reason_of(const PathScene& scene, const ControlledHistory& history) 
                                              : "; hold it, or prescribe a stress that it changes");
     case ControlOutcome::material_failed:
     case ControlOutcome::out_of_calls:
+    case ControlOutcome::interrupted:
       return history.reason + at;
   }
   return history.reason;
@@ -75,8 +77,72 @@ std::string reason_of(const PathScene& scene, const ControlledHistory& history) 
 
 std::vector<double> times_of(const PathScene& scene, const Control& control) {
   std::set<double> times(control.knots.begin(), control.knots.end());
-  for (int k = 0; k <= scene.count; ++k) times.insert(scene.end * k / scene.count);
-  return {times.begin(), times.end()};
+  for (int k = 0; k <= scene.count; ++k) times.insert(control.begin() + scene.end * k / scene.count);
+  if (scene.start) times.erase(times.begin());  // that row is the last of the stage before
+  return {times.begin(), times.lower_bound(std::nextafter(control.end(), INFINITY))};
+}
+
+/// Takes the material along one stage, and says what was found on the way.
+ControlledHistory follow_stage(const PathScene& scene, const Material& material, const Control& control,
+                               const std::function<void(double)>& progress, PathFindings& found) {
+  ControlOptions options{.tolerance = 0.1 * scene.tolerance};
+  options.rows_at_kinks = true;
+  options.most_calls = static_cast<std::int64_t>(scene.most_calls);
+  options.progress = progress;
+  options.ends = interrupted;
+  ControlledHistory history;
+  try {
+    history = follow_control(material, control, times_of(scene, control), options);
+  } catch (const ControlError& error) {
+    const auto row = static_cast<std::size_t>(std::max(error.row, 0));
+    const Location where = error.row < 0 ? Location{scene.file, 0, 0} : scene.rows[row].where;
+    const std::string key = key_path(scene.section, "control");
+    throw InputError(where, error.row < 0 ? key : key_path(key, scene.rows[row].quantity.text), error.what());
+  }
+  found.outcome = names_of(history.outcome)[static_cast<std::size_t>(history.outcome)];
+  if (!history.rows.empty()) found.reason = reason_of(scene, history), found.t = history.rows.back().t;
+  const Scale time = scene.units.scale("s");
+  const double near = 1e-6 * scene.end;  // a limit load is one of them, and is named already
+  for (const BranchPoint& branch : history.branches) {
+    if (history.outcome == ControlOutcome::limit_load && branch.t > found.t - near) continue;
+    found.branches.push_back(time.from_si(branch.t));
+    found.warnings.push_back("another solution begins at t = " + scene.units.text(branch.t, "s", 6) + ", along " +
+                             direction_text(branch.direction, scene.deformation));
+  }
+  if (history.loses_ellipticity && !found.loses_ellipticity) {
+    found.loses_ellipticity = time.from_si(*history.loses_ellipticity);
+    found.normal = {history.normal(0), history.normal(1), history.normal(2)};
+    found.warnings.push_back(
+        "the acoustic tensor is singular at t = " + scene.units.text(*history.loses_ellipticity, "s", 6) +
+        ", for planes with the normal " + normal_text(history.normal));
+  }
+  found.error += history.error;
+  if (found.error > 10 * scene.tolerance)
+    found.warnings.push_back("the estimated error is " + rounded_text(found.error, 2) + ", where " +
+                             rounded_text(scene.tolerance, 2) + " was asked");
+  for (const ControlledRow& row : history.rows) found.residual = std::max(found.residual, row.residual);
+  found.steps += history.steps, found.material_calls += history.calls;
+  return history;
+}
+
+void note_columns(const PathTable& table, PathFindings& found) {
+  for (std::size_t k = 0; k < table.names.size(); ++k) {
+    const auto& values = table.columns[k];
+    found.last[table.names[k]] = values.back();
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    found.largest[table.names[k]] = largest;
+  }
+}
+
+/// The rows of a stage behind those before it, with the Cauchy stress.
+void append_stage(const ControlledHistory& stage, StressMeasure measure, double earlier_error,
+                  std::vector<ControlledRow>& rows) {
+  for (ControlledRow row : stage.rows) {
+    row.s = cauchy_of(measure, row.s, row.F);
+    row.error += earlier_error;
+    rows.push_back(std::move(row));
+  }
 }
 
 }  // namespace
@@ -85,64 +151,38 @@ PathRun run_path(const PathScene& scene, const Material& material, const std::fu
   PathRun run;
   PathFindings& found = run.findings;
   found.material = material.name();
-  const Control control = control_of(scene);
-  ControlOptions options{.tolerance = 0.1 * scene.tolerance};
-  options.rows_at_kinks = true;
-  options.most_calls = static_cast<std::int64_t>(scene.most_calls);
-  options.progress = [&](double share) {
-    stop_if_interrupted();
-    if (progress) progress(share);
-  };
-  ControlledHistory history;
-  try {
-    history = follow_control(material, control, times_of(scene, control), options);
-  } catch (const ControlError& error) {
-    const auto row = static_cast<std::size_t>(std::max(error.row, 0));
-    const Location where = error.row < 0 ? Location{scene.file, 0, 0} : scene.rows[row].where;
-    throw InputError(where, error.row < 0 ? "path.control" : "path.control." + scene.rows[row].quantity.text,
-                     error.what());
-  } catch (const MaterialFailure& failure) {
-    found.outcome = "material_failed", found.reason = failure.what();
-    run.failure = failure;
-    return run;
+  const auto stages = static_cast<double>(scene.later.size() + 1);
+  ControlledHistory all;
+  PathScene now = scene;
+  for (std::size_t k = 0; k <= scene.later.size(); ++k) {
+    const Control control = control_of(now);
+    const double earlier_error = found.error;
+    const auto report = [&](double share) {
+      if (progress) progress((static_cast<double>(k) + share) / stages);
+    };
+    try {
+      const ControlledHistory history = follow_stage(now, material, control, report, found);
+      run.failure = history.failure;
+      append_stage(history, control.stress, earlier_error, all.rows);
+    } catch (const MaterialFailure& failure) {
+      found.outcome = "material_failed", found.reason = failure.what();
+      run.failure = failure;
+    }
+    const bool whole = found.outcome == "completed" || found.outcome == "stopped";
+    if (!whole || k == scene.later.size()) break;
+    now = begun_at(scene.later[k], all.rows.back(), StressMeasure::cauchy);
   }
-  found.outcome = names_of(history.outcome)[static_cast<std::size_t>(history.outcome)];
-  found.reason = reason_of(scene, history);
-  run.failure = history.failure;
-  run.table = path_table(material, history, control);
-  found.t = history.rows.back().t;
-  found.error = history.error;
-  for (const ControlledRow& row : history.rows) found.residual = std::max(found.residual, row.residual);
-  found.steps = history.steps, found.material_calls = history.calls;
-  const double near = 1e-6 * scene.end;  // a limit load is one of them, and is named already
-  for (const BranchPoint& branch : history.branches) {
-    if (history.outcome == ControlOutcome::limit_load && branch.t > found.t - near) continue;
-    found.branches.push_back(branch.t);
-    found.warnings.push_back("another solution begins at t = " + rounded_text(branch.t, 6) + " s, along " +
-                             direction_text(branch.direction, scene.deformation));
-  }
-  if (history.loses_ellipticity) {
-    found.loses_ellipticity = history.loses_ellipticity;
-    found.normal = {history.normal(0), history.normal(1), history.normal(2)};
-    found.warnings.push_back("the acoustic tensor is singular at t = " + rounded_text(*history.loses_ellipticity, 6) +
-                             " s, for planes with the normal " + normal_text(history.normal));
-  }
-  if (history.error > 10 * scene.tolerance)
-    found.warnings.push_back("the estimated error is " + rounded_text(history.error, 2) + ", where " +
-                             rounded_text(scene.tolerance, 2) + " was asked");
-  for (std::size_t k = 0; k < run.table.names.size(); ++k) {
-    const auto& values = run.table.columns[k];
-    found.last[run.table.names[k]] = values.back();
-    double largest = 0;
-    for (const double value : values) largest = std::max(largest, std::abs(value));
-    found.largest[run.table.names[k]] = largest;
-  }
-  const bool whole = history.outcome == ControlOutcome::completed || history.outcome == ControlOutcome::stopped;
+  if (all.rows.empty()) return run;
+  run.table = path_table(material, all.rows);
+  const bool whole = found.outcome == "completed" || found.outcome == "stopped";
   if (scene.compare && whole) {
     std::string fault;
     found.misfit = misfit(*scene.compare, run.table, fault);
     if (!fault.empty()) found.warnings.push_back((found.misfit ? "misfit: " : "no misfit: ") + fault);
   }
+  run.table = in_units(std::move(run.table), scene.units);
+  found.t = scene.units.scale("s").from_si(found.t);
+  note_columns(run.table, found);
   return run;
 }
 

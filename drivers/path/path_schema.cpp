@@ -26,30 +26,39 @@ Json by_quantity(const Json& value) {
 
 Json function() {
   const Json between{{"enum", {"linear", "monotone", "spline"}}};
+  const Json value = described(number(), "in the unit of the row"), time = described(number(), "[s]");
+  const Json values = described(numbers(2), "in the unit of the row");
   const auto of = [&](const char* type, const Json& keys, std::vector<std::string> required) {
     Json properties{{"type", {{"const", type}}}};
     properties.update(keys);
     required.insert(required.begin(), "type");
     return object(properties, required);
   };
-  return {{"anyOf",
-           Json::array(
-               {number(), of("constant", {{"value", number()}}, {"value"}),
-                of("ramp", {{"from", number()}, {"to", number()}, {"begin", number()}, {"end", number()}}, {"to"}),
-                of("sine", {{"amplitude", number()}, {"period", number()}, {"mean", number()}, {"phase", number()}},
-                   {"amplitude", "period"}),
-                of("cycles", {{"sizes", numbers(1)}, {"period", number()}, {"shape", {{"enum", {"triangle", "sine"}}}}},
-                   {"sizes", "period"}),
-                of("table", {{"times", numbers(2)}, {"values", numbers(2)}, {"interpolation", between}},
-                   {"times", "values"}),
-                of("file",
-                   {{"file", text()},
-                    {"column", text()},
-                    {"time", text()},
-                    {"interpolation", between},
-                    {"factor", number()},
-                    {"offset", number()}},
-                   {"file"})})}};
+  return {
+      {"anyOf",
+       Json::array(
+           {value, of("constant", {{"value", value}}, {"value"}),
+            of("ramp", {{"from", value}, {"to", value}, {"begin", time}, {"end", time}}, {"to"}),
+            of("sine",
+               {{"amplitude", value}, {"period", time}, {"mean", value}, {"phase", described(number(), "[degrees]")}},
+               {"amplitude", "period"}),
+            of("cycles",
+               {{"sizes", described(numbers(1), "in the unit of the row")},
+                {"period", time},
+                {"shape", {{"enum", {"triangle", "sine"}}}}},
+               {"sizes", "period"}),
+            of("table", {{"times", described(numbers(2), "[s]")}, {"values", values}, {"interpolation", between}},
+               {"times", "values"}),
+            of("file",
+               {{"file", text()},
+                {"column", text()},
+                {"time", text()},
+                {"interpolation", between},
+                {"factor", described(number(), "[1]")},
+                {"offset", value},
+                {"unit", described(text(), "of the column, where its header says none")},
+                {"time_unit", described(text(), "of the times, where their header says none")}},
+               {"file"})})}};
 }
 
 Json stop() {
@@ -66,6 +75,8 @@ Json path() {
   return object(
       {{"type", described({{"enum", types}}, "which rows are supplied beside those of control; default: general")},
        {"control", described(by_quantity(function()), "rows: a sum of components, and its value over time")},
+       {"fields", described({{"type", "object"}, {"additionalProperties", function()}},
+                            "temperature and other fields that the model takes, over time")},
        {"initial_stress", described({{"type", "array"}, {"items", number()}, {"minItems", 6}, {"maxItems", 6}},
                                     "Cauchy stress at rest, 11, 22, 33, 12, 13, 23 [Pa]; default: none")},
        {"confinement", described(number(), "pressure at rest, of triaxial tests [Pa]")},
@@ -82,11 +93,14 @@ Json path() {
 
 Json expect() {
   Json properties;
-  for (const std::string& key : path_figure_keys({})) properties[key] = expectation_schema(key, {});
+  for (const std::string& key : path_figure_keys({}, {})) properties[key] = expectation_schema(key, {});
   properties["outcome"] = expectation_schema("outcome", path_outcomes());
   Json out = object(properties);
   const Json figure = expectation_schema("path", {});
-  out["patternProperties"] = {{"^last\\.", figure}, {"^largest\\.", figure}};
+  out["patternProperties"] = {{"^last\\.", figure},
+                              {"^largest\\.", figure},
+                              {"^variants\\..*\\.outcome$", expectation_schema("outcome", path_outcomes())},
+                              {"^variants\\..*(?<!\\.outcome)$", figure}};
   return out;
 }
 
@@ -95,18 +109,29 @@ Json expect() {
 std::string path_schema_json() {
   const Json scene = Json::parse(schema_json());
   const Json& whole = scene.contains("properties") ? scene : scene["oneOf"][0];  // the same with every motion
-  const Json material = whole["properties"]["material"];
+  Json material = whole["properties"]["material"];
+  material["properties"].erase("initial_stress");
   Json variant = material;
   variant.erase("required");
   variant["properties"]["label"] = described(text(), "what names it in pictures");
   Json properties;
   properties["title"] = described(text(), "one-line title for pictures");
+  properties["units"] = whole["properties"]["units"];
   properties["material"] = material;
   properties["path"] = described(path(), "what is prescribed of one material point");
+  properties["stages"] =
+      described({{"type", "array"}, {"items", path()}, {"minItems", 1}},
+                "in place of path: paths one after the other, each from the state in which the last ends");
   properties["variants"] =
       described({{"type", "array"}, {"items", variant}}, "other materials, or other parameters, along the same path");
   properties["compare"] =
-      described(object({{"file", text()}, {"x", text()}, {"y", text()}, {"x_column", text()}, {"y_column", text()}},
+      described(object({{"file", text()},
+                        {"x", text()},
+                        {"y", text()},
+                        {"x_column", text()},
+                        {"y_column", text()},
+                        {"x_unit", described(text(), "of the column of x, where its header says none")},
+                        {"y_unit", described(text(), "of the column of y, where its header says none")}},
                        {"file", "y"}),
                 "measured values, drawn with the path");
   properties["increments"] = described({{"type", "array"}, {"items", {{"type", "integer"}, {"minimum", 1}}}},
@@ -121,7 +146,8 @@ std::string path_schema_json() {
   properties["expect"] = described(expect(), "expected results, by key of result.json");
   Json head{
       {"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"$id", schema_id("path")}, {"title", "assay path"}};
-  head.update(object(properties, {"material", "path"}));
+  head.update(object(properties, {"material"}));
+  head["oneOf"] = Json::array({Json{{"required", {"path"}}}, Json{{"required", {"stages"}}}});
   head["properties"].erase(merge_name);
   for (const char* pattern : {merge_pattern, anchors_pattern}) head["patternProperties"][pattern] = Json::object();
   return head.dump(2) + "\n";

@@ -18,12 +18,6 @@ constexpr const char* nine[] = {"11", "12", "13", "21", "22", "23", "31", "32", 
 constexpr double end_share = 1e-9;  ///< of the path: a measured value this near to its end lies on it
 constexpr int six_places[] = {0, 4, 8, 1, 2, 5};
 
-Tensor log_of_stretch(const Tensor& F) {
-  const Eigen::SelfAdjointEigenSolver<Tensor> spectrum(F.transpose() * F);
-  const Tensor& N = spectrum.eigenvectors();
-  return N * (0.5 * spectrum.eigenvalues().array().log()).matrix().asDiagonal() * N.transpose();
-}
-
 double mises_of(const Tensor& sigma) {
   const Tensor s = sigma - sigma.trace() / 3 * Tensor::Identity();
   return std::sqrt(1.5) * s.norm();
@@ -48,7 +42,7 @@ class Columns {
   explicit Columns(PathTable& table) : table_(table) {}
   void operator()(const std::string& name, const char* unit, double value) {
     if (first_) {
-      table_.names.push_back(name), table_.units.emplace_back(unit);
+      table_.names.push_back(name), table_.units.emplace_back(unit), table_.si_units.emplace_back(unit);
       table_.columns.emplace_back();
     }
     table_.columns[next_++].push_back(value);
@@ -69,6 +63,12 @@ class Columns {
 
 }  // namespace
 
+Tensor log_of_stretch(const Tensor& F) {
+  const Eigen::SelfAdjointEigenSolver<Tensor> spectrum(F.transpose() * F);
+  const Tensor& N = spectrum.eigenvectors();
+  return N * (0.5 * spectrum.eigenvalues().array().log()).matrix().asDiagonal() * N.transpose();
+}
+
 const std::vector<double>* PathTable::column(const std::string& name) const {
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? nullptr : &columns[static_cast<std::size_t>(found - names.begin())];
@@ -79,15 +79,15 @@ bool PathTable::moves(const std::string& name) const {
   return values && std::ranges::any_of(*values, [&](double value) { return value != values->front(); });
 }
 
-PathTable path_table(const Material& material, const ControlledHistory& history, const Control& control) {
+PathTable path_table(const Material& material, const std::vector<ControlledRow>& rows) {
   PathTable table;
   Columns add(table);
   const Offer<assay_energy> energy_of(material);
   const std::vector<std::string> state_names = names_of_state(material.table());
   const std::vector<StatePlace> places = state_of(material.table());
   double first_energy = 0;
-  for (const ControlledRow& row : history.rows) {
-    const Tensor sigma = cauchy_of(control.stress, row.s, row.F);
+  for (const ControlledRow& row : rows) {
+    const Tensor& sigma = row.s;
     const double J = row.F.determinant();
     add("t", "s", row.t);
     add.tensor("F", "1", row.F);
@@ -103,7 +103,7 @@ PathTable path_table(const Material& material, const ControlledHistory& history,
       double energy = 0;
       const auto F = nine_of(row.F);
       const bool good = energy_of(1, F.data(), row.state.data(), &energy) != ASSAY_FAILED;
-      if (&row == &history.rows.front()) first_energy = energy;
+      if (&row == &rows.front()) first_energy = energy;
       add("energy", "J/m^3", good ? energy : NAN);
       add("dissipation", "J/m^3", good ? row.work - (energy - first_energy) : NAN);
     }
@@ -117,6 +117,21 @@ PathTable path_table(const Material& material, const ControlledHistory& history,
     add.end_row();
   }
   return table;
+}
+
+PathTable in_units(PathTable si, const Units& units) {
+  for (std::size_t k = 0; k < si.names.size(); ++k) {
+    const Scale scale = units.scale(si.si_units[k]);
+    for (double& value : si.columns[k]) value = scale.from_si(value);
+    si.units[k] = units.name(si.si_units[k]);
+  }
+  return si;
+}
+
+PathTable path_table(const Material& material, const ControlledHistory& history, const Control& control) {
+  std::vector<ControlledRow> rows = history.rows;
+  for (ControlledRow& row : rows) row.s = cauchy_of(control.stress, row.s, row.F);
+  return path_table(material, rows);
 }
 
 std::string path_csv(const PathTable& table) {
@@ -139,14 +154,31 @@ std::string path_npz(const PathTable& table) {
   return npz_bytes(arrays);
 }
 
+double largest_difference(const PathTable& one, const PathTable& other) {
+  double difference = 0, largest = 0;
+  const std::vector<double>&t = *one.column("t"), &t_other = *other.column("t");
+  for (const int c : six_places) {
+    const std::vector<double>&s = *one.column(std::string("s") + nine[c]),
+          &s_other = *other.column(std::string("s") + nine[c]);
+    for (std::size_t i = 0, k = 0; i < t.size(); ++i) {
+      largest = std::max(largest, std::abs(s[i]));
+      while (k < t_other.size() && t_other[k] < t[i]) ++k;
+      if (k < t_other.size() && t_other[k] == t[i]) difference = std::max(difference, std::abs(s[i] - s_other[k]));
+    }
+  }
+  return largest > 0 ? difference / largest : difference > 0 ? INFINITY : 0;
+}
+
 /// At each measured abscissa the path's value, straight between its rows: by time, or by a quantity that grows or falls
 /// all along the path.
 std::optional<double> misfit(const PathComparison& compare, const PathTable& table, std::string& fault) {
   const auto values_of = [&](const PathQuantity& quantity) {
     std::vector<double> values(table.rows(), 0.0);
     for (const PathTerm& term : quantity.terms) {
-      const auto* column = table.column(term.family + std::to_string(term.i + 1) + std::to_string(term.j + 1));
-      for (std::size_t i = 0; column && i < values.size(); ++i) values[i] += term.factor * (*column)[i];
+      const auto* column =
+          table.column(term.of_J() ? "J" : term.family + std::to_string(term.i + 1) + std::to_string(term.j + 1));
+      for (std::size_t i = 0; column && i < values.size(); ++i)
+        values[i] += term.factor * (term.family == "lnJ" ? std::log((*column)[i]) : (*column)[i]);
     }
     return values;
   };

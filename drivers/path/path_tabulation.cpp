@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "adapters/foreign/foreign_state.hpp"
 #include "drivers/findings/findings.hpp"
 #include "drivers/material/material_choice.hpp"
 #include "drivers/output/output_folder.hpp"
@@ -17,53 +19,13 @@
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/words.hpp"
 #include "drivers/text/wrapped_text.hpp"
+#include "harness/material/initial_stress.hpp"
 
 namespace assay::drivers {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string findings_text(const PathFindings& found) {
-  std::string text =
-      wrapped((found.label.empty() ? "" : found.label + ": ") + found.material + ", " + found.outcome, "", "  ");
-  if (!found.reason.empty()) text += wrapped(found.reason, "  ", "  ");
-  for (const std::string& warning : found.warnings) text += wrapped("note: " + warning, "  ", "    ");
-  text +=
-      wrapped(grouped_text(found.steps) + " steps, " + grouped_text(found.material_calls) +
-                  " calls of the model, estimated error " + rounded_text(found.error, 2) + ", residual " +
-                  rounded_text(found.residual, 2) + (found.misfit ? ", misfit " + rounded_text(*found.misfit, 3) : ""),
-              "  ", "  ");
-  for (const IncrementFindings& each : found.increments) {
-    text += "  " + grouped_text(each.increments) + " increments: error " + rounded_text(each.error, 2) +
-            (each.order ? ", order " + rounded_text(*each.order, 2) : "") + ", " + rounded_text(each.call_ns, 3) +
-            " ns a call\n";
-  }
-  if (!found.iso_error) return text;
-  const IsoErrorFindings& map = *found.iso_error;
-  return text + wrapped("one increment over the plane of strains: error " + rounded_text(map.mean.value_or(NAN), 2) +
-                            " in the mean, " + rounded_text(map.largest.value_or(NAN), 2) + " at most, order " +
-                            rounded_text(map.order.value_or(NAN), 2),
-                        "  ", "  ");
-}
-
-/// The line of the table's end that a user looks at first: what was prescribed.
-std::string end_text(const PathScene& scene, const PathFindings& found) {
-  std::string text;
-  for (const PathRow& row : scene.rows) {
-    if (row.origin == PathRow::Origin::held || row.quantity.component().empty()) continue;
-    const std::string ij = row.quantity.component();
-    const auto add = [&](const std::string& name, const char* unit) {
-      const auto at = found.last.find(name);
-      if (at != found.last.end())
-        text += (text.empty() ? "" : ", ") + name + " = " + rounded_text(at->second, 6) + unit;
-    };
-    const std::string upper = ij[0] <= ij[1] ? ij : std::string{ij[1], ij[0]};
-    add(scene.deformation == Deformation::gradient ? "F" + ij : "e" + upper, "");
-    if (row.origin == PathRow::Origin::given) add("s" + upper, " Pa");
-  }
-  return text.empty() ? text : wrapped("end: t = " + rounded_text(found.t, 6) + " s, " + text, "  ", "  ");
-}
 
 std::string expected_text(const PathResult& result, bool that_hold) {
   Result lines;
@@ -77,10 +39,13 @@ std::vector<ExpectationOutcome> judged_path(const PathScene& scene, const PathRe
   for (const Expectation& line : scene.expect) {
     FlatValue value;
     if (line.key == "outcome") value = result.own.outcome;
+    for (const PathFindings& variant : result.variants) {
+      if (line.key == "variants." + variant.label + ".outcome") value = variant.outcome;
+    }
     const auto found = figures.find(line.key);
     if (found != figures.end()) value = found->second;
     if (found == figures.end() && !result.own.last.empty() &&
-        (line.key.starts_with("last.") || line.key.starts_with("largest."))) {
+        (line.key.find("last.") != line.key.npos || line.key.find("largest.") != line.key.npos)) {
       std::vector<std::string> names;
       for (const auto& [name, last] : result.own.last) names.push_back(name);
       throw InputError(line.where, "expect." + line.key, "is no column of path.csv", joined(names));
@@ -90,71 +55,41 @@ std::vector<ExpectationOutcome> judged_path(const PathScene& scene, const PathRe
   return all;
 }
 
+/// Lines in SI, as resolved.yaml has them, but those of a column that the table has not.
+std::vector<Expectation> expected_in_si(const PathScene& scene, const PathTable& table) {
+  std::vector<Expectation> lines;
+  for (Expectation line : scene.expect) {
+    const std::string column = line.key.substr(line.key.find('.') + 1);
+    const auto found = std::ranges::find(table.names, column);
+    const bool of_column = line.key.starts_with("last.") || line.key.starts_with("largest.");
+    if (of_column && found == table.names.end()) continue;
+    const bool of_time = line.key == "t" || line.key == "loses_ellipticity";
+    const Scale scale =
+        scene.units.scale(of_column ? table.si_units[static_cast<std::size_t>(found - table.names.begin())]
+                          : of_time ? "s"
+                                    : "1");
+    line.number = scale.to_si(line.number), line.upper = scale.to_si(line.upper);
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
 int status_of(const PathResult& result) {
   Result figures;
   figures.expect = result.expect;
-  figures.outcome = result.own.outcome == "stopped" ? "completed" : result.own.outcome;
+  const auto whole = [](const PathFindings& found) { return is_one_of(found.outcome, {"completed", "stopped"}); };
+  figures.outcome = whole(result.own) ? "completed" : result.own.outcome;
+  for (const PathFindings& variant : result.variants) {
+    const std::string key = "variants." + variant.label + ".outcome";
+    if (!whole(variant) && std::ranges::find(result.expect, key, &ExpectationOutcome::key) == result.expect.end())
+      return 1;
+  }
   return exit_status(figures);
 }
 
 }  // namespace
 
 std::string path_result_json(const PathResult& result) { return json_document(JsonFields<Json>::of(result)); }
-
-std::map<std::string, double> path_figures(const PathResult& result) {
-  std::map<std::string, double> all;
-  const auto add = [&](const std::string& prefix, const PathFindings& found) {
-    all[prefix + "t"] = found.t;
-    all[prefix + "error"] = found.error;
-    all[prefix + "residual"] = found.residual;
-    all[prefix + "steps"] = static_cast<double>(found.steps);
-    all[prefix + "material_calls"] = static_cast<double>(found.material_calls);
-    if (found.loses_ellipticity) all[prefix + "loses_ellipticity"] = *found.loses_ellipticity;
-    if (found.misfit) all[prefix + "misfit"] = *found.misfit;
-    if (!found.increments.empty()) {
-      const IncrementFindings& finest = found.increments.back();
-      all[prefix + "finest.error"] = finest.error;
-      if (finest.order) all[prefix + "finest.order"] = *finest.order;
-    }
-    if (found.iso_error) {
-      all[prefix + "iso_error.largest"] = *found.iso_error->largest;
-      all[prefix + "iso_error.mean"] = *found.iso_error->mean;
-      all[prefix + "iso_error.order"] = *found.iso_error->order;
-    }
-    for (const auto& [name, value] : found.last) all[prefix + "last." + name] = value;
-    for (const auto& [name, value] : found.largest) all[prefix + "largest." + name] = value;
-  };
-  add("", result.own);
-  return all;
-}
-
-std::vector<std::string> path_figure_keys(const Tree& expect) {
-  std::vector<std::string> keys{"t",
-                                "error",
-                                "residual",
-                                "steps",
-                                "material_calls",
-                                "loses_ellipticity",
-                                "misfit",
-                                "finest.error",
-                                "finest.order",
-                                "iso_error.largest",
-                                "iso_error.mean",
-                                "iso_error.order"};
-  for (const Tree::Entry& entry : expect.entries) {
-    if (entry.key.starts_with("last.") || entry.key.starts_with("largest.")) keys.push_back(entry.key);
-  }
-  return keys;
-}
-
-const std::vector<std::string>& path_outcomes() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (const char* name : names_of(ControlOutcome())) all.emplace_back(name);
-    return all;
-  }();
-  return names;
-}
 
 bool is_path_text(std::string_view text, const std::string& file) { return is_path_scene(read_yaml(text, file)); }
 
@@ -169,31 +104,46 @@ int tabulate_path(const Tree& root, const std::string& sha256, const SceneOption
   PathScene scene = path_scene_of(root, options.scene, sha256);
   watch_interrupts();
   std::vector<ResolvedMaterial> materials;
-  materials.push_back(resolve_material(scene.material));
-  scene.material = materials[0].choice;
-  for (PathVariant& variant : scene.variants) {
-    materials.push_back(resolve_material(variant.material));
-    variant.material = materials.back().choice;
-  }
+  const auto resolve = [&](MaterialChoice& choice) {
+    materials.push_back(resolve_path_material(scene, choice));
+    choice = materials.back().choice;
+  };
+  resolve(scene.material);
+  for (PathVariant& variant : scene.variants) resolve(variant.material);
   for (const ResolvedMaterial& material : materials) {
     for (const std::string& sentence : material.warnings) warn(sentence);
+  }
+  for (const ResolvedMaterial& material : materials) {
+    const std::string fault = fault_of_initial_stress(material.material, symmetric_tensor(scene.initial_stress));
+    if (!fault.empty())
+      throw InputError(scene.initial_where,
+                       key_path(scene.section, scene.confinement ? "confinement" : "initial_stress"),
+                       one_line(fault, 400));
   }
   OutputFolder folder(options.out);
   folder.keep_inputs();
   PathResult result;
   result.title = scene.title;
+  result.units = {scene.units.length, scene.units.stress, scene.units.time};
   result.provenance = build_information();
   result.provenance.scene_sha256 = sha256;
   result.provenance.material = material_provenance(materials[0].material, materials[0].library);
   std::vector<NamedTable> tables;
   Progress progress("path", options.quiet());
   Result process;  // what the model has done to its own
+  std::optional<KeptAfterInterrupt> kept;
   for (std::size_t k = 0; k < materials.size(); ++k) {
     const std::string label = k == 0 ? "" : scene.variants[k - 1].label;
-    PathRun run = run_path(scene, materials[k].material, [&](double share) {
+    const auto& foreign = materials[k].foreign;
+    std::string note;
+    const bool in_plane = foreign && adapters::is_of_plane_stress(*foreign);
+    const PathScene path = in_plane ? path_of_plane_stress(scene, *foreign, note) : scene;
+    PathRun run = run_path(path, materials[k].material, [&](double share) {
       progress.update((static_cast<double>(k) + share) / static_cast<double>(materials.size()));
     });
+    if (interrupted() && !kept) kept.emplace();
     run.findings.label = label;
+    if (in_plane) run.findings.warnings.insert(run.findings.warnings.begin(), note);
     if (k == 0) {
       run.findings.warnings.insert(run.findings.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
       record_process(materials[0].material, process);
@@ -203,9 +153,15 @@ int tabulate_path(const Tree& root, const std::string& sha256, const SceneOption
       process.reason = run.findings.reason;
     }
     const std::string number = k == 0 ? "" : "_" + std::to_string(k);
-    PathAccuracy accuracy = path_accuracy(scene, materials[k].material, label, [&](double share) {
-      progress.update((static_cast<double>(k) + share) / static_cast<double>(materials.size()), "increments");
-    });
+    PathAccuracy accuracy;
+    try {
+      if (!kept)
+        accuracy = path_accuracy(path, materials[k].material, label, [&](double share) {
+          progress.update((static_cast<double>(k) + share) / static_cast<double>(materials.size()), "increments");
+        });
+    } catch (const Interrupted&) {  // the path itself is kept
+      kept.emplace();
+    }
     run.findings.increments = std::move(accuracy.increments);
     run.findings.iso_error = accuracy.iso_error;
     for (const auto& [name, bytes] : accuracy.files) {
@@ -215,9 +171,12 @@ int tabulate_path(const Tree& root, const std::string& sha256, const SceneOption
     if (run.table.rows() > 0) {
       folder.write("path" + number + ".csv", path_csv(run.table));
       folder.write("path" + number + ".npz", path_npz(run.table));
+      if (k > 0 && result.own.last.contains("t"))
+        run.findings.difference = largest_difference(tables[0].table, run.table);
       tables.push_back({label.empty() ? materials[k].material.name() : label, std::move(run.table)});
     }
     (k == 0 ? result.own : result.variants.emplace_back()) = std::move(run.findings);
+    if (kept) break;
   }
   progress.finish();
   result.wall_s = life.seconds();
@@ -229,17 +188,23 @@ int tabulate_path(const Tree& root, const std::string& sha256, const SceneOption
   leave_replay(of_material, folder, process);
   result.replay = process.replay;
   result.expect = judged_path(scene, result);
+  if (!scene.units.is_si()) scene.expect = expected_in_si(scene, tables.empty() ? PathTable() : tables[0].table);
   folder.write("resolved.yaml", resolved_path_yaml(scene));
   const std::string json = path_result_json(result);
   folder.write("result.json", json);
   folder.commit();
-  std::string text = wrapped((scene.title.empty() ? "path" : scene.title) + ": " + scene.type, "", "  ");
-  text += expected_text(result, false) + findings_text(result.own) + end_text(scene, result.own);
-  for (const PathFindings& variant : result.variants) text += findings_text(variant) + end_text(scene, variant);
+  const PathScene& last_stage = scene.later.empty() ? scene : scene.later.back();
+  std::string types = scene.type;
+  for (const PathScene& stage : scene.later) types += ", then " + stage.type;
+  std::string text = wrapped((scene.title.empty() ? "path" : scene.title) + ": " + types, "", "  ");
+  text += expected_text(result, false) + findings_text(result.own) + end_text(last_stage, result.own);
+  for (const PathFindings& variant : result.variants) text += findings_text(variant) + end_text(last_stage, variant);
   text += expected_text(result, true) + "results in " + one_line(options.out) + "\n";
   const int status = status_of(result);
   if (options.quiet()) text = status == 0 ? "" : expected_text(result, false) + findings_text(result.own);
   tell(text, {{options.json ? "-" : "", json, true}});
+  kept.reset();
+  stop_if_interrupted();
   return status;
 }
 

@@ -183,7 +183,7 @@ void draw_space_axes(Canvas& canvas, const View& view) {
                 {picture_text_size, ink, Anchor::middle});
   }
   canvas.text({view.left + from_left - 10, view.bottom - from_bottom + picture_text_size * 0.5},
-              rounded_text(length, 4) + " m", {picture_text_size, ink, Anchor::left});
+              rounded_text(length, 4) + " " + view.picture.length_unit, {picture_text_size, ink, Anchor::left});
 }
 
 void draw_frame_axes(Canvas& canvas, const View& view, const Layout& layout, bool with_y) {
@@ -192,8 +192,8 @@ void draw_frame_axes(Canvas& canvas, const View& view, const Layout& layout, boo
   const auto axis = [&](std::size_t d) {
     return make_axis(picture.lower[d], picture.upper[d], false, Fit::tight, target);
   };
-  const auto title = [](const std::string& name, const Axis& along) {
-    return name + (along.factor.empty() ? "" : " (" + along.factor + ")") + " [m]";
+  const auto title = [&](const std::string& name, const Axis& along) {
+    return name + (along.factor.empty() ? "" : " (" + along.factor + ")") + " [" + picture.length_unit + "]";
   };
   const Axis x = axis(0), y = axis(1);
   draw(canvas,

@@ -50,6 +50,7 @@ struct ParticlePicture {
   std::vector<double> rings;                   ///< radii of circles around the origin drawn thin [m]
   std::string x_label = "x", y_label = "y";    ///< of the axes, without their unit; none: there are no axes
   std::array<double, 2> lower{-1.5, -1.5}, upper{1.5, 1.5};  ///< what is shown [m]
+  std::string length_unit = "m";                             ///< of all lengths
   std::vector<SpaceAxis> space_axes;  ///< drawn in a corner, of a round length that is written beside them
 };
 

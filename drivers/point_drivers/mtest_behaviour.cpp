@@ -101,6 +101,8 @@ void read_bounds_policy(MtestReading& reading) {
   const std::string policy = tokens.text();
   if (!is_one_of(policy, known)) tokens.refuse(where, unknown("policy", policy, known), joined(known));
   reading.out.out_of_bounds = policy;
+  if (policy == "Strict")
+    reading.out.ignored.push_back({"@OutOfBoundsPolicy", "'Strict': only physical bounds are served", where});
   tokens.expect(";");
 }
 

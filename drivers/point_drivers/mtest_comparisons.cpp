@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What an MTest file expects: formulas, and columns of files.
+#include <set>
+
 #include "drivers/point_drivers/mtest_reading.hpp"
 #include "drivers/point_drivers/number_columns.hpp"
 
@@ -44,7 +46,13 @@ void read_comparison(MtestReading& reading) {
   const Location of_tolerance = tokens.where();
   const double tolerance = read_number(reading);
   if (tolerance < 0) tokens.refuse(of_tolerance, "the tolerance must not be negative");
+  std::set<std::string> named;
   for (MtestComparison& each : found) {
+    if (!named.insert(each.variable).second) {
+      reading.out.ignored.push_back(
+          {"@Test", "'" + each.variable + "' stands there twice: the first counts", each.where});
+      continue;
+    }
     each.tolerance = tolerance;
     reading.out.comparisons.push_back(std::move(each));
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drivers/point_drivers/mtest_components.hpp"
+#include "drivers/point_drivers/mtest_fields.hpp"
 #include "harness/material/state_variable.hpp"
 
 namespace assay::drivers {
@@ -42,19 +43,22 @@ void refuse_what_is_not_served(const MtestFile& file) {
   for (const MtestProperty& property : file.properties) {
     if (property.computed_by)
       throw InputError(property.where, "@MaterialProperty", "a property that a library computes is not served");
-    if (!property.value.is_constant())
-      throw InputError(property.where, "@MaterialProperty",
-                       "'" + property.name + "' changes with time: that is not served");
-  }
-  for (const double value : file.initial_gradient) {
-    if (file.kinematics != MtestKinematics::finite_strain && value != 0)
-      cannot(file, "@Strain", "an initial strain is not served");
   }
   for (const MtestImposed& imposed : file.imposed) {
     if (imposed.quantity == Quantity::gradient || imposed.quantity == Quantity::force)
       throw InputError(imposed.where, imposed.component, "only components of strain, F and stress are served");
   }
 }
+
+/// The material's directions are its columns.
+Tensor rotation_of(const MtestFile& file) {
+  Tensor R = Tensor::Identity();
+  for (int c = 0; file.is_rotated && c < 9; ++c) component(R, c) = file.rotation[static_cast<std::size_t>(c)];
+  return R;
+}
+
+/// The behaviour works in its own axes, in which its internal variables stay.
+Tensor in_material(const Tensor& R, const Tensor& A) { return R.transpose() * A * R; }
 
 /// Rows of what is imposed, zero stress where nothing is. Lower components of F that nobody imposes are held: a
 /// symmetric stress cannot find them.
@@ -99,10 +103,22 @@ void add_rows(const MtestFile& file, Control& control) {
   }
 }
 
+/// Whether the host of a foreign model keeps its stress, first in the state. The initial values of internal variables
+/// then tell the model of it, and not its first step.
+bool keeps_stress(const Material& material) {
+  const auto places = state_of(material.table());
+  return !places.empty() && std::string(places[0].name) == "STRESS" && places[0].kind == ASSAY_SYMMETRIC_TENSOR;
+}
+
+void set_stress(const Tensor& stress, ControlledPoint& start) {
+  Variable(ASSAY_SYMMETRIC_TENSOR, start.state.data()).with(stress).write(start.state.data());
+}
+
 /// Values of internal variables at the beginning.
 void set_initial_state(const MtestFile& file, const Material& material, ControlledPoint& start) {
   for (const MtestInitialValue& initial : file.initial_state) {
-    bool found = false;
+    bool found = file.hypothesis == "PlaneStress" && initial.name == "AxialStrain";  // which the point has as a strain
+    if (found) start.q(2, 2) = initial.values.at(0);
     for (const StatePlace& place : state_of(material.table())) {
       if (initial.name != place.name) continue;
       found = true;
@@ -127,17 +143,35 @@ Control mtest_control(const MtestFile& file, const Material& material) {
   control.stress = finite ? StressMeasure::cauchy : StressMeasure::kirchhoff;
   control.knots = file.times;
   add_rows(file, control);
+  const Tensor R = rotation_of(file);
+  for (ControlRow& row : control.rows) {
+    row.deformation = in_material(R, row.deformation);
+    row.stress = in_material(R, row.stress);
+    if (thermal_strain(file, file.times.front()) && row.is_linear_in_q()) {
+      row.value = [&file, total = row.value, along = row.deformation](double t, bool after) {
+        return total(t, after) - along.cwiseProduct(*thermal_strain(file, t)).sum();
+      };
+    }
+  }
   const MtestHypothesis& hypothesis = *find_hypothesis(file.hypothesis);
-  for (std::size_t k = 0; k < file.initial_force.size() && k < hypothesis.symmetric.size(); ++k) {
-    const auto place = place_of(hypothesis.symmetric[k], file.hypothesis);
-    const double value = place->i == place->j ? file.initial_force[k] : file.initial_force[k] / root2;
-    control.initial_cauchy(place->i, place->j) = control.initial_cauchy(place->j, place->i) = value;
-  }
-  if (!file.initial_state.empty()) {
-    ControlledPoint start = ControlledSteps(material, control).at_rest();
-    set_initial_state(file, material, start);
-    control.start = std::move(start);
-  }
+  const auto at_begin = [&](const std::vector<double>& values) {
+    Tensor A = Tensor::Zero();
+    for (std::size_t k = 0; k < values.size() && k < hypothesis.symmetric.size(); ++k) {
+      const auto place = place_of(hypothesis.symmetric[k], file.hypothesis);
+      A(place->i, place->j) = A(place->j, place->i) = place->i == place->j ? values[k] : values[k] / root2;
+    }
+    return in_material(R, A);
+  };
+  const Tensor force = at_begin(file.initial_force);
+  if (!keeps_stress(material)) control.initial_cauchy = force;
+  ControlledPoint start = point_at_rest(material, control);
+  start.s = force;
+  if (keeps_stress(material)) set_stress(force, start);
+  const Tensor rest = start.q;
+  if (!finite) start.q = at_begin(file.initial_gradient) - thermal_strain(file, start.t).value_or(Tensor::Zero());
+  set_initial_state(file, material, start);
+  if (!finite) start.F = gradient_of(control.deformation, start.F, rest, start.q);
+  control.start = std::move(start);
   return control;
 }
 
@@ -146,7 +180,13 @@ std::optional<double> mtest_value(const MtestFile& file, const Material& materia
   if (name.size() == 3 && (name[0] == 'E' || name[0] == 'F' || name[0] == 'S')) {
     if (const auto place = place_of(name.substr(1), file.hypothesis)) {
       const double factor = place->i == place->j || name[0] == 'F' ? 1 : root2;
-      return factor * (name[0] == 'S' ? row.s : row.q)(place->i, place->j);
+      // the behaviour itself finds the strain of a component without stress, which MTest leaves alone
+      const bool own = file.hypothesis == "PlaneStress" && place->i == 2 && place->j == 2;
+      if (own && name[0] != 'S') return name[0] == 'F' ? 1 : 0;
+      const Tensor R = rotation_of(file);
+      Tensor value = name[0] == 'S' ? row.s : row.q;
+      if (name[0] == 'E') value += thermal_strain(file, row.t).value_or(Tensor::Zero());
+      return factor * (R * value * R.transpose())(place->i, place->j);
     }
   }
   constexpr int symmetric[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
@@ -160,6 +200,7 @@ std::optional<double> mtest_value(const MtestFile& file, const Material& materia
         return row.state[place.first + c] * (c < 3 ? 1 : root2);
     }
   }
+  if (file.hypothesis == "PlaneStress" && name == "AxialStrain") return row.q(2, 2);
   for (const MtestVariable& variable : file.external) {
     if (variable.name == name) return variable.value(row.t);
   }

@@ -12,7 +12,7 @@
 
 namespace assay::drivers {
 
-/// Of a material with this state at rest. Throws InputError: what cannot be served.
+/// Of a material with this state at rest; the file must outlive it. Throws InputError: what cannot be served.
 Control mtest_control(const MtestFile& file, const Material& material);
 
 /// The value that the file calls so, at a row: a component of strain, F or stress with MTest's factors, an internal

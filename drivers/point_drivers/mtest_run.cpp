@@ -11,6 +11,7 @@
 #include "drivers/output/output_folder.hpp"
 #include "drivers/path/path_result.hpp"
 #include "drivers/point_drivers/mtest_control.hpp"
+#include "drivers/point_drivers/mtest_fields.hpp"
 #include "drivers/system/input_file.hpp"
 #include "drivers/system/interrupt.hpp"
 #include "drivers/text/numbers.hpp"
@@ -21,8 +22,6 @@
 namespace assay::drivers {
 
 namespace {
-
-constexpr double usual_temperature = 293.15;  // K, of a library that no description tells of
 
 /// TFEL's names beside ours.
 const std::map<std::string, std::string>& our_names() {
@@ -56,25 +55,6 @@ MaterialChoice material_of(const MtestFile& file, const std::string& instead) {
     choice.parameter_where[parameter.name] = choice.parameter_key_where[parameter.name] = parameter.where;
   }
   return choice;
-}
-
-/// The models' fields are constant: what changes with time cannot be served.
-void check_external(const MtestFile& file, bool described) {
-  for (const MtestVariable& variable : file.external) {
-    if (!variable.value.is_constant()) {
-      const double first = variable.value(file.times.front());
-      for (const double t : file.times) {
-        if (variable.value(t) != first)
-          throw InputError(variable.where, "@ExternalStateVariable",
-                           "'" + variable.name + "' changes along the path: that is not served");
-      }
-    }
-    const double value = variable.value(file.times.front());
-    if (!described && variable.name == "Temperature" && std::abs(value - usual_temperature) > 1e-9)
-      throw InputError(variable.where, "@ExternalStateVariable",
-                       "'Temperature' is " + number_text(value) +
-                           ": describe the library with `temperature:` and give the description by --material");
-  }
 }
 
 struct Comparison {
@@ -139,8 +119,11 @@ int tabulate_mtest(const MtestOptions& options) {
   const Stopwatch life;
   const std::string text = read_bytes(options.scene);
   const MtestFile file = mtest_from_text(text, options.scene, {options.placeholders, {}});
-  check_external(file, !options.material.empty());
-  const ResolvedMaterial material = resolve_material(material_of(file, options.material));
+  MaterialChoice choice = material_of(file, options.material);
+  const MtestFields fields = mtest_fields(file, choice);
+  ResolvedMaterial material = resolve_material(choice);
+  material.material.prescribe(fields.values, file.times.front());
+  refuse_plane_stress(material, "--material", "a file of MTest is of three dimensions here");
   const Control control = mtest_control(file, material.material);
   watch_interrupts();
   ControlOptions how{.increments = 1, .watch_ellipticity = false};
@@ -148,7 +131,7 @@ int tabulate_mtest(const MtestOptions& options) {
   OutputFolder folder(options.out);
   folder.keep_inputs();
   PathResult result;
-  result.title = file.description.empty() ? std::filesystem::path(file.file).stem().string() : file.description;
+  result.title = std::filesystem::path(file.file).stem().string();
   result.provenance = build_information();
   result.provenance.scene_sha256 = sha256_hex(text);
   result.provenance.material = material_provenance(material.material, material.library);
@@ -167,8 +150,7 @@ int tabulate_mtest(const MtestOptions& options) {
   found.steps = history.steps, found.material_calls = history.calls;
   for (const MtestIgnored& ignored : file.ignored)
     found.warnings.push_back(ignored.keyword + " has no effect here: " + ignored.what);
-  if (file.hypothesis != "Tridimensional")
-    found.warnings.push_back(file.hypothesis + " is taken in three dimensions, with its rows");
+  found.warnings.insert(found.warnings.end(), fields.notes.begin(), fields.notes.end());
   std::vector<Comparison> comparisons;
   for (const MtestComparison& asked : file.comparisons)
     comparisons.push_back(compared(file, asked, material.material, history));

@@ -223,6 +223,7 @@ int tabulate_niemunis(const SceneOptions& options, const std::string& material_n
   const std::string folder_of_file = std::filesystem::path(options.scene).parent_path().string();
   take_parameters(folder_of_file, choice);
   const ResolvedMaterial resolved = resolve_material(choice);
+  refuse_plane_stress(resolved, "--material", "a loading file of the incremental driver is of three dimensions");
   const Material& material = resolved.material;
   watch_interrupts();
   PathResult result;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "drivers/result/result_sections.hpp"
+#include "drivers/text/units.hpp"
 
 namespace assay {
 struct FailedStep;
@@ -59,6 +60,7 @@ std::string build_text();
 
 struct Result {
   std::string title;
+  Units units;          ///< of the scene's author, for what people read; the figures are in SI
   std::string subject;  ///< what was run, one line: material, method, grid, amplitude
   std::string outcome = "completed";
   std::string reason;

@@ -25,9 +25,9 @@ struct InitialVelocity {
   std::array<double, 3> stretching{};
 
   void keys(auto& key) {
-    key("velocity", "velocity at the origin [m/s]", velocity);
-    key("spin", "angular velocity about E_z through the origin [rad/s]", spin);
-    key("stretching", "symmetric part of the velocity gradient: D11, D22, D12 [1/s]", stretching);
+    key("velocity", "velocity at the origin", velocity, {.unit = "m/s"});
+    key("spin", "angular velocity about E_z through the origin", spin, {.unit = "rad/s"});
+    key("stretching", "symmetric part of the velocity gradient: D11, D22, D12", stretching, {.unit = "1/s"});
   }
 
   /// L = D + W: L11, L12, L21, L22 [1/s].
@@ -72,8 +72,8 @@ struct Body {
         {.derived = "ring for the vortex and the twisting ring, vortex for vortex3d, square otherwise, box in space"});
     key("outside", "what surrounds a vortex in a square or box: fixed (held) or free to move (free)", outside,
         {.derived = "free for a ring or vortex alone, held for square and box", .motions = motions_with_outside});
-    key("lower", "lower corner of a square or box [m]", lower, {.domains = domains_with_corners});
-    key("upper", "upper corner of a square or box [m]", upper, {.domains = domains_with_corners});
+    key("lower", "lower corner of a square or box", lower, {.unit = "m", .domains = domains_with_corners});
+    key("upper", "upper corner of a square or box", upper, {.unit = "m", .domains = domains_with_corners});
     key("per_cell", "particles per cell in each direction", per_cell,
         {.range = {.lower = 1, .upper = 16, .whole = true}});
     key("lattice", "particle positions: square lattice, sectors of rings, Gauss points of the cells, or random offsets",

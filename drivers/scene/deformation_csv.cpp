@@ -3,8 +3,11 @@
 #include "drivers/scene/scene_reader.hpp"
 
 #include "drivers/format/csv.hpp"
+#include "drivers/format/csv_lines.hpp"
 #include "drivers/system/input_error.hpp"
 #include "drivers/text/numbers.hpp"
+#include "drivers/text/units.hpp"
+#include "drivers/text/words.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
@@ -35,6 +38,21 @@ std::vector<Tensor> gradients(const CsvTable& table) {
   return F;
 }
 
+/// "t", or as it stands with its unit: "t [ms]".
+std::string column_of_time(const std::string& text, const std::string& file) {
+  CsvLines lines(text, file);
+  for (const CsvField& field : lines.next().value_or(std::vector<CsvField>()))
+    if (heading_of(field.text).name == "t") return field.text;
+  return "t";
+}
+
+Scale scale_of_time(const std::string& word, const Location& where) {
+  const auto unit = parse_unit(word);
+  if (!unit || unit->dimension != parse_unit("s")->dimension)
+    throw InputError(where, "", "'" + word + "' of the column 't' is no unit of a time", joined(unit_words("s")));
+  return unit->scale;
+}
+
 void check_rows(const CsvTable& table, const std::vector<double>& t, const std::vector<Tensor>& F) {
   if (table.rows() < 2) refuse(table, 0, {}, "a path needs two rows at least");
   if (table.rows() > most_rows) refuse(table, most_rows, {}, "more than " + std::to_string(most_rows) + " rows");
@@ -59,10 +77,13 @@ void check_rows(const CsvTable& table, const std::vector<double>& t, const std::
 
 }  // namespace
 
-DeformationTable read_deformation_table(const std::string& file, Interpolation interpolation) {
-  const CsvTable table =
-      read_csv(read_input_file(file), file, {"t", "F11", "F12", "F21", "F22"}, {"F13", "F23", "F31", "F32", "F33"});
-  const std::vector<double>& t = *table.column("t");
+DeformationTable read_deformation_table(const std::string& file, Interpolation interpolation, const std::string& time) {
+  const std::string text = read_input_file(file);
+  const std::string times = column_of_time(text, file), unit = heading_of(times).unit;
+  const CsvTable table = read_csv(text, file, {times, "F11", "F12", "F21", "F22"}, {"F13", "F23", "F31", "F32", "F33"});
+  std::vector<double> t = *table.column(times);
+  const Scale scale = scale_of_time(unit.empty() ? time : unit, {file, table.header_line, 1});
+  for (double& each : t) each = scale.to_si(each);
   std::vector<Tensor> F = gradients(table);
   check_rows(table, t, F);
   F[0].setIdentity();

@@ -47,9 +47,10 @@ Expectation read_line(const Tree::Entry& entry, const ExpectationWords& words) {
   line.key = entry.key;
   line.where = entry.key_where;
   const Field::Kind kind = figure_of_result(entry.key).kind;
-  if (kind == Field::Kind::text) {
+  const bool is_outcome = entry.key == "outcome" || entry.key.ends_with(".outcome");
+  if (kind == Field::Kind::text || is_outcome) {
     const Tree& value = equalled(entry.value, path, "text or {equals: text}");
-    line.text = entry.key == "outcome" ? choice_value(value, path, words.outcomes) : text_value(value, path);
+    line.text = is_outcome ? choice_value(value, path, words.outcomes) : text_value(value, path);
   } else if (kind == Field::Kind::truth) {
     line.truth = boolean_value(equalled(entry.value, path, "true, false, {equals: true} or {equals: false}"), path);
   } else if (entry.value.kind == Tree::Kind::map) {
@@ -70,13 +71,15 @@ bool holds(const Expectation& line, double found) {
                                       : found == line.number;
 }
 
-std::string expected_text(const Expectation& line) {
+std::string expected_text(const Expectation& line, const AuthorUnit& unit = {}) {
   if (line.text) return *line.text;
   if (line.truth) return *line.truth ? "true" : "false";
   const std::string name = word_of(line.op);
-  if (line.op == Operator::between) return name + " " + number_text(line.number) + " and " + number_text(line.upper);
-  return name + " " + number_text(line.number);
+  if (line.op == Operator::between) return name + " " + unit.number(line.number) + " and " + unit.text(line.upper);
+  return name + " " + unit.text(line.number);
 }
+
+constexpr int author_digits = 6;  ///< of a figure that was converted
 
 /// An error of the response beyond both says that its figures say nothing.
 constexpr double largest_response_error = 0.05, times_asked = 100;
@@ -110,7 +113,13 @@ bool is_of_order(const Expectation& line) { return line.key == order_key || line
   append_all(known, words.of_runs ? flat_keys() : std::vector<std::string>{"outcome"});
   require_map(map, words.path, "keys of result.json");
   refuse_unknown_keys(map, words.path, known);
-  return mapped(map.entries, [&](const Tree::Entry& entry) { return read_line(entry, words); });
+  return mapped(map.entries, [&](const Tree::Entry& entry) {
+    Expectation line = read_line(entry, words);
+    if (!words.of_runs || line.text || line.truth) return line;  // those of a path stay in the author's units
+    const Scale scale = author_unit(line.key, words.units).scale;
+    line.number = scale.to_si(line.number), line.upper = scale.to_si(line.upper);
+    return line;
+  });
 }
 
 std::string expectation_yaml(const Expectation& line) {
@@ -123,8 +132,20 @@ std::string expectation_yaml(const Expectation& line) {
   return "{" + name + ": " + yaml_number(line.number) + "}";
 }
 
-ExpectationOutcome judged(const Expectation& line, const FlatValue& found) {
-  ExpectationOutcome outcome{line.key, expected_text(line), "null", false};
+std::string AuthorUnit::number(double si) const {
+  return scale.is_one() ? number_text(si) : rounded_text(scale.from_si(si), author_digits);
+}
+
+std::string AuthorUnit::text(double si) const { return number(si) + (scale.is_one() ? "" : " " + name); }
+
+AuthorUnit author_unit(const std::string& key, const Units& units) {
+  if (units.is_si() || is_one_of(key, {order_key, last_order_key})) return {};
+  const std::string si = figure_of_result(key).unit;
+  return {units.scale(si), units.name(si)};
+}
+
+ExpectationOutcome judged(const Expectation& line, const FlatValue& found, const AuthorUnit& unit) {
+  ExpectationOutcome outcome{line.key, expected_text(line, unit), "null", false};
   if (const auto* text = std::get_if<std::string>(&found)) {
     outcome.found = *text;
     outcome.holds = line.text && *line.text == *text;
@@ -132,7 +153,7 @@ ExpectationOutcome judged(const Expectation& line, const FlatValue& found) {
     outcome.found = *truth ? "true" : "false";
     outcome.holds = line.truth && *line.truth == *truth;
   } else if (const auto* number = std::get_if<double>(&found)) {
-    outcome.found = number_text(*number);
+    outcome.found = unit.text(*number);
     outcome.holds = !line.text && !line.truth && holds(line, *number);
   }
   return outcome;
@@ -144,7 +165,8 @@ std::vector<ExpectationOutcome> judge(const std::vector<Expectation>& expectatio
   for (const Expectation& line : expectations) {
     if (is_of_order(line)) continue;
     const auto found = figures.find(line.key);
-    outcomes.push_back(judged(line, found == figures.end() ? FlatValue{} : found->second));
+    outcomes.push_back(
+        judged(line, found == figures.end() ? FlatValue{} : found->second, author_unit(line.key, result.units)));
   }
   for (const Expectation& line : result.sheet ? of_any_response(*result.sheet) : std::vector<Expectation>()) {
     const auto same = [&](const ExpectationOutcome& e) { return e.key == line.key; };

@@ -26,6 +26,7 @@ struct ExpectationWords {
   std::vector<std::string> numbers = {};  ///< keys of numbers beside those of result.json
   std::vector<std::string> outcomes = known_outcomes();
   bool of_runs = true;  ///< keys of result.json of a run; else `outcome` and `numbers` alone
+  Units units = {};     ///< of a run's figures
 };
 
 /// The lines of `expect:`. Throws InputError for keys that result.json does not have, unknown outcomes, wrong types.
@@ -34,8 +35,19 @@ std::vector<Expectation> read_expectations(const Tree& map, const ExpectationWor
 /// The YAML value of a line: `completed`, `false`, `{below: 0.07}`, `{between: [1, 2]}`.
 std::string expectation_yaml(const Expectation& expectation);
 
+/// The unit in which people read a figure of result.json.
+struct AuthorUnit {
+  Scale scale;
+  std::string name;
+
+  std::string number(double si) const;
+  /// With its name, where the unit is not SI.
+  std::string text(double si) const;
+};
+AuthorUnit author_unit(const std::string& key, const Units& units);
+
 /// What a figure is to an expectation of it. A figure that was not reached or is not a number holds nothing.
-ExpectationOutcome judged(const Expectation& line, const FlatValue& found);
+ExpectationOutcome judged(const Expectation& line, const FlatValue& found, const AuthorUnit& unit = {});
 
 /// One outcome a line, in their order, but for lines of orders. A figure that was not reached or is not a number holds
 /// nothing. Behind them what is expected of any response, where it fails and no line is of the same figure: a stated

@@ -2,6 +2,7 @@
 #include "drivers/scene/key_values.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -32,7 +33,7 @@ std::string place_of(const Tree::Entry& entry, const std::string& section, const
   return parameter ? "unknown key: parameters of the model belong to material.parameters" : "";
 }
 
-KeyRecord read_item(const Key& list, const Tree& tree, const std::string& path) {
+KeyRecord read_item(const Key& list, const Tree& tree, const std::string& path, const Units& units) {
   require_map(tree, path, joined(item_names(list)));
   refuse_other_keys(tree, path, item_names(list));
   KeyRecord item;
@@ -41,14 +42,14 @@ KeyRecord read_item(const Key& list, const Tree& tree, const std::string& path) 
     key.path = key_path(path, name);
     const Tree* value = tree.find(name);
     if (value)
-      item.values.emplace_back(name, read_value(key, *value));
+      item.values.emplace_back(name, read_value(key, *value, units, key.unit));
     else if (key.required)
       throw InputError(tree.where, key.path, "required and not given");
   }
   return item;
 }
 
-std::vector<KeyRecord> read_items(const Key& list, const Tree& tree) {
+std::vector<KeyRecord> read_items(const Key& list, const Tree& tree, const Units& units) {
   const bool is_list = tree.kind == Tree::Kind::sequence;
   if (!is_list || tree.items.empty()) {
     const std::string remedy = tree.kind == Tree::Kind::map ? ": each item begins with '-'" : "";
@@ -57,7 +58,7 @@ std::vector<KeyRecord> read_items(const Key& list, const Tree& tree) {
                  joined(item_names(list)));
   }
   std::vector<KeyRecord> items;
-  for (const Tree& item : tree.items) items.push_back(read_item(list, item, item_path(list.path, items.size())));
+  for (const Tree& item : tree.items) items.push_back(read_item(list, item, item_path(list.path, items.size()), units));
   return items;
 }
 
@@ -90,7 +91,9 @@ void refuse_other_keys(const Tree& map, const std::string& path, const std::vect
   refuse_unknown_keys(map, path, known);
 }
 
-Value read_value(const Key& key, const Tree& tree) {
+namespace {
+
+Value read_plain(const Key& key, const Tree& tree) {
   switch (key.type) {
     case KeyType::number:
       return number_value(tree, key.path, key.range);
@@ -111,15 +114,39 @@ Value read_value(const Key& key, const Tree& tree) {
       return numbers_value(tree, key.path, 1, 2, key.range);
     case KeyType::vector:
       return numbers_value(tree, key.path, 1, 3, key.range);
+    case KeyType::six:
+      return numbers_value(tree, key.path, 1, 6, key.range);
     case KeyType::pair_or_vector:
     case KeyType::per_axis:
       return numbers_value(tree, key.path, 1, tree.items.size() == 3 ? 3 : 2, key.range);
     case KeyType::matrix:
       return numbers_value(tree, key.path, 3, 3, key.range);
     case KeyType::list:
-      return read_items(key, tree);
+      break;
   }
   return {};
+}
+
+}  // namespace
+
+Value in_si(const Key& key, Value value, const Scale& scale, const Tree& tree) {
+  const auto convert = [&](double& number) {
+    const bool was_zero = number == 0;
+    number = scale.to_si(number);
+    if (!std::isfinite(number) || (number == 0 && !was_zero))
+      refuse_value(tree, key.path, "has no value in SI units, found " + described(tree));
+  };
+  if (auto* number = std::get_if<double>(&value)) convert(*number);
+  if (auto* list = std::get_if<std::vector<double>>(&value)) std::ranges::for_each(*list, convert);
+  return value;
+}
+
+Value read_value(const Key& key, const Tree& tree, const Units& units, const std::string& unit) {
+  if (key.type == KeyType::list) return read_items(key, tree, units);
+  const Scale scale = units.scale(unit);
+  Key own = key;
+  own.range = in_units(key.range, scale);
+  return in_si(key, read_plain(own, tree), scale, tree);
 }
 
 std::map<std::string, Location> places_of_value(const Key& key, const Tree& tree) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/format/unit_rows.hpp"
 #include "drivers/scene/scene_keys.hpp"
 
 namespace assay::drivers {
@@ -14,8 +15,12 @@ namespace assay::drivers {
 /// `path` is that of the map, empty at the top.
 void refuse_other_keys(const Tree& map, const std::string& path, const std::vector<std::string>& known);
 
-/// Throws InputError at the value, or at what is wrong inside a list.
-Value read_value(const Key& key, const Tree& tree);
+/// In SI. `units`: those of the tree; `unit`: the SI unit of the key's numbers. Throws InputError at the value, or at
+/// what is wrong inside a list.
+Value read_value(const Key& key, const Tree& tree, const Units& units = {}, const std::string& unit = {});
+
+/// Of what was read at a tree. Throws InputError there at what is no number in SI.
+Value in_si(const Key& key, Value value, const Scale& scale, const Tree& tree);
 
 /// Where a value stands, and in a list each item and each of its keys: by "motion.vortices[1].radius".
 std::map<std::string, Location> places_of_value(const Key& key, const Tree& tree);

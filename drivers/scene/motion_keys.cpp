@@ -40,6 +40,7 @@ std::vector<Key> keys_of_motions() {
     for (std::size_t k = 0; k < own.size(); ++k) {
       if (const auto same = place(own[k].path); same != all.end()) {
         same->motions.push_back(own[k].motions.front());
+        if (own[k].unit != same->unit) same->unit_of_motion[own[k].motions.front()] = own[k].unit;
         continue;
       }
       auto before = all.end();
@@ -78,19 +79,28 @@ std::vector<Key> keys_of_table() {
     give(given, v);
     s.motion = table_of(s)->interpolated(given);
   };
+  const auto time_unit = [=](const Scene& s) {
+    return table_of(s) && s.path_time != Units().time ? Value(s.path_time) : Value();
+  };
   static constexpr auto interpolations = names_of(Interpolation{});
   const auto of_table = [] { return std::vector<std::string>{"homogeneous"}; };
-  return {key_row("motion.path",
-                  "CSV file of F(t), in place of motion.final; columns t, F11, F12, F21, F22, others optional",
-                  KeyType::text, {.derived = "none: F goes straight to final", .motions = of_table}, path,
-                  [](Scene& s, const Value& v) { s.motion = DeformationTable(std::get<std::string>(v)); }),
-          key_row("motion.interpolation",
-                  "F between the rows of motion.path: straight lines, PCHIP (no overshoot) or a cubic spline",
-                  KeyType::choice,
-                  {.choices = interpolations,
-                   .derived = "linear for tabulate, monotone for what needs a body force",
-                   .motions = of_table},
-                  interpolation, interpolate)};
+  std::vector<Key> keys{
+      key_row("motion.path",
+              "CSV file of F(t), in place of motion.final; columns t, F11, F12, F21, F22, others optional",
+              KeyType::text, {.derived = "none: F goes straight to final", .motions = of_table}, path,
+              [](Scene& s, const Value& v) { s.motion = DeformationTable(std::get<std::string>(v)); }),
+      key_row("motion.interpolation",
+              "F between the rows of motion.path: straight lines, PCHIP (no overshoot) or a cubic spline",
+              KeyType::choice,
+              {.choices = interpolations,
+               .derived = "linear for tabulate, monotone for what needs a body force",
+               .motions = of_table},
+              interpolation, interpolate),
+      key_row("motion.time_unit", "unit of the column t of motion.path where its header says none", KeyType::choice,
+              {.derived = "units.time", .motions = of_table}, time_unit,
+              [](Scene& s, const Value& v) { s.path_time = std::get<std::string>(v); })};
+  keys.back().choices = unit_words("s");
+  return keys;
 }
 
 }  // namespace

@@ -18,7 +18,9 @@ Location Scene::place(const std::string& key) const {
 
 namespace {
 
-Path with_direction(Path path, const Scene& scene) {
+/// With what the scene says of the material at rest.
+Path with_rest(Path path, const Scene& scene) {
+  path.initial_cauchy = scene.initial_cauchy();
   if (!scene.material.direction) return path;
   const auto& d = *scene.material.direction;
   const Vector3 unit = unit_along({d[0], d[1], d[2]});
@@ -39,7 +41,7 @@ Interval cosines(double lower, double upper) {
 
 }  // namespace
 
-Path baseline_path(const Scene& scene) { return with_direction(scene.motion->baseline(), scene); }
+Path baseline_path(const Scene& scene) { return with_rest(scene.motion->baseline(), scene); }
 
 std::vector<Path> baseline_paths(const Scene& scene) {
   const auto* box = scene.motion.as<AxisAligned>();
@@ -53,7 +55,7 @@ std::vector<Path> baseline_paths(const Scene& scene) {
     for (int k = 0; k <= sections; ++k) {
       Path path = box->section(along_Y.lower + along_Y.width() * k / sections, cosine_of_Z);
       path.parameter = along_X;
-      paths.push_back(with_direction(std::move(path), scene));
+      paths.push_back(with_rest(std::move(path), scene));
     }
   }
   return paths;

@@ -11,6 +11,7 @@
 #include "drivers/scene/body.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/input_error.hpp"
+#include "drivers/text/units.hpp"
 #include "harness/motion/frame.hpp"
 #include "harness/motion/motion.hpp"
 #include "mpm/setup/effect_options.hpp"
@@ -21,22 +22,27 @@ namespace assay::drivers {
 struct MaterialChoice {
   std::string adapter;
   std::map<std::string, double> parameters;  ///< as given; defaults are filled by the material
-  double density = 0;                        ///< 0: not given
+  Units units;         ///< of the parameters; of a foreign model they are those of its description
+  double density = 0;  ///< 0: not given
   std::optional<std::array<double, 3>> direction;
+  std::optional<std::array<double, 6>> initial_stress;
   Isolation isolation = Isolation::automatic;
 
   void keys(auto& key) {
     static constexpr const char* places[] = {"worker", "none"};
     key("adapter", "registered name, shared library (lib.so or lib.so:name), Fortran source or description (.yaml)",
         adapter, {.required = true});
-    key("density", "density rho0 in the reference configuration [kg/m^3]", density,
-        {.range = positive,
+    key("density", "density rho0 in the reference configuration", density,
+        {.unit = "kg/m^3",
+         .range = positive,
          .derived = "of the material's description; required where it has none",
          .shown = density > 0});
     key("direction",
         "axis of the model, any length; components on e_R, e_Theta, e_Z in the vortex, N, e_Theta, "
         "M in vortex3d, else on the coordinate axes",
         direction, {.derived = "[1, 0, 0] of a model that has one"});
+    key("initial_stress", "Cauchy stress at rest, the same everywhere: 11, 22, 33, 12, 13, 23 on the axes of direction",
+        initial_stress, {.unit = "Pa", .derived = "none"});
     key("isolation", "where the model's code runs: in worker processes (worker) or in the process of assay (none)",
         isolation,
         {.choices = places,
@@ -49,8 +55,10 @@ struct MaterialChoice {
   std::map<std::string, Location> parameter_key_where;  ///< of their names
   /// As whoever made the choice calls them in messages.
   std::string adapter_key = "material.adapter", parameters_key = "material.parameters";
-  bool needs_density = true;           ///< a point without motion needs none
-  std::string parameters_option = {};  ///< of the command line, which gives them without a place
+  std::vector<std::string> varying = {};  ///< fields of a foreign model that a path changes
+  std::string hypothesis = {};            ///< of a behaviour of MFront; empty: as its description says
+  bool needs_density = true;              ///< a point without motion needs none
+  std::string parameters_option = {};     ///< of the command line, which gives them without a place
 };
 
 struct GridChoice {
@@ -59,11 +67,12 @@ struct GridChoice {
   std::optional<PerAxis<double>> lower, upper;
 
   void keys(auto& key) {
-    key("spacing", "node spacing h [m]; nodes are at multiples of h", spacing, {.range = positive, .required = true});
+    key("spacing", "node spacing h; nodes are at multiples of h", spacing,
+        {.unit = "m", .range = positive, .required = true});
     key("offset", "shift of the nodes from multiples of h; the body is not shifted [h]", offset,
         {.range = {.lower = 0, .upper = 1}, .derived = "[0, 0]"});
-    key("lower", "lower corner of the grid [m]", lower, {.derived = "around the body with a margin"});
-    key("upper", "upper corner of the grid [m]", upper, {.derived = "around the body with a margin"});
+    key("lower", "lower corner of the grid", lower, {.unit = "m", .derived = "around the body with a margin"});
+    key("upper", "upper corner of the grid", upper, {.unit = "m", .derived = "around the body with a margin"});
   }
 };
 
@@ -129,9 +138,9 @@ struct TimeChoice {
   Control control = Control::planned;
 
   void keys(auto& key) {
-    key("end", "end of the run [s]", end, {.range = positive, .derived = "motion.period"});
-    key("step", "fixed time step dt, in place of method.courant [s]", step,
-        {.range = positive, .derived = "of method.courant"});
+    key("end", "end of the run", end, {.unit = "s", .range = positive, .derived = "motion.period"});
+    key("step", "fixed time step dt, in place of method.courant", step,
+        {.unit = "s", .range = positive, .derived = "of method.courant"});
     key("control",
         "planned: equal steps from the exact motion; current: steps from the present fastest wave and particle",
         control);
@@ -158,8 +167,8 @@ struct OutputChoice {
         {.range = {.lower = 1, .upper = 1e6, .whole = true}});
     key("particles", "number of snapshots of the particles (VTU) over the run; 0: none", particles,
         {.range = {.lower = 0, .upper = 1e5, .whole = true}});
-    key("each_step_from", "also write a snapshot of every step from this time on [s]", each_step_from,
-        {.range = {.lower = 0}, .derived = "none"});
+    key("each_step_from", "also write a snapshot of every step from this time on", each_step_from,
+        {.unit = "s", .range = {.lower = 0}, .derived = "none"});
     key("pictures", "write PNG pictures", pictures);
     key("report", "write report.html", report);
     key("accounts", "compute the accounts of mass, momentum and energy", accounts);
@@ -198,8 +207,10 @@ struct Scene {
   int dimension = 2;   ///< 3: points, vectors and tensors have all components
   std::string file;    ///< as given on the command line
   std::string sha256;  ///< of the file's bytes
+  Units units;         ///< in which the file is written; the values here are in SI
   Motion motion;
-  std::optional<Frame> frame;  ///< from which the motion is seen; absent: the body's own
+  std::optional<Frame> frame;   ///< from which the motion is seen; absent: the body's own
+  std::string path_time = "s";  ///< unit of the column t of motion.path, unless its header says one
   bool allow_unstable = false;
   MaterialChoice material;
   Body body;
@@ -212,6 +223,11 @@ struct Scene {
   OutputChoice output;
   Limits limits;
   std::vector<Expectation> expect;
+
+  /// At rest, on the axes of the baseline; zero where none is given [Pa].
+  Tensor initial_cauchy() const;
+  /// On the surface of the body.
+  bool bears_tractions() const;
 
   void keys(auto& key) {
     key("title", "one-line title for pictures and reports", title);
@@ -237,6 +253,10 @@ struct Scene {
 
 /// The baseline of the scene's motion with the material's direction, a unit vector, in its frame: E1 = e_R.
 Path baseline_path(const Scene& scene);
+
+/// Why the motion is no exact solution under material.initial_stress, or the body cannot be held under it; empty: it
+/// is.
+std::string fault_of_initial_stress(const Scene& scene);
 
 /// All paths that points of the body take: of the axis-aligned motion one for each of some Y and Z, of others the
 /// baseline.

@@ -2,6 +2,7 @@
 // Keys of a scene that do not go together.
 #include "drivers/scene/scene_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -47,6 +48,8 @@ class SceneCheck {
     refuse_if(scene_.method && !scene_.grid, "grid", "required by method and not given");
     if (scene_.frame) check_frame(*scene_.frame);
     if (scene_.body.initial_velocity) check_initial_velocity();
+    if (const std::string fault = fault_of_initial_stress(scene_); !fault.empty())
+      refuse_if(true, "material.initial_stress", fault);
     if (scene_.grid) check_grid(*scene_.grid);
     if (scene_.method) check_method(*scene_.method);
     if (scene_.force.inertia == mpm::Inertia::particles) check_inertia();
@@ -61,7 +64,9 @@ class SceneCheck {
   bool given(const std::string& key) const { return scene_.places.contains(key); }
 
   void refuse_if(bool fault, const std::string& key, const std::string& what) const {
-    if (fault) throw InputError(where_(key), key, what);
+    if (!fault) return;
+    const bool has_numbers = std::ranges::any_of(what, [](char c) { return c >= '0' && c <= '9'; });
+    throw InputError(where_(key), key, what + (has_numbers && !scene_.units.is_si() ? " (in SI units)" : ""));
   }
 
   void check_title() const {

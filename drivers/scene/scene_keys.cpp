@@ -29,6 +29,8 @@ std::vector<Key> own_keys(const std::string& section) {
   return keys;
 }
 
+std::vector<Key> unit_keys();
+
 std::vector<Section> all_sections() {
   std::vector<Key> of_motion = motion_keys();
   append_all(of_motion, own_keys("motion"));
@@ -41,11 +43,16 @@ std::vector<Section> all_sections() {
   Section material = section("material", "the constitutive model", &Scene::material);
   material.required = true;
   return {
+      {.path = "units",
+       .doc = "units of the scene's numbers; a mass is a stress times length times time squared; without it: SI",
+       .keys = unit_keys()},
       {.path = "motion", .doc = "the manufactured motion", .required = true, .keys = of_motion},
       {.path = "motion.amplitude", .doc = "amplitude g(t) of the motion"},
       frame,
       material,
-      {.path = "material.parameters", .doc = "material parameters by name, in SI units", .free_keys = true},
+      {.path = "material.parameters",
+       .doc = "material parameters by name, in the units of the scene; of a foreign model in those of its description",
+       .free_keys = true},
       body,
       section(
           "body.initial_velocity",
@@ -66,6 +73,20 @@ std::vector<Section> all_sections() {
   };
 }
 
+/// They are not written: a scene that is written in full is in SI.
+std::vector<Key> unit_keys() {
+  const auto row = [](const char* name, const char* doc, const char* si, std::string Units::*word) {
+    Key key = key_row(
+        key_path("units", name), doc, KeyType::choice, {.derived = si}, [](const Scene&) { return Value(); },
+        [word](Scene& scene, const Value& value) { scene.units.*word = std::get<std::string>(value); });
+    key.choices = unit_words(si);
+    return key;
+  };
+  return {row("length", "unit of all lengths", "m", &Units::length),
+          row("stress", "unit of all stresses and moduli", "Pa", &Units::stress),
+          row("time", "unit of all times", "s", &Units::time)};
+}
+
 /// Whether a list, of all where it is empty, has the word.
 bool admits(const std::vector<std::string>& list, const std::string& word) {
   return list.empty() || is_one_of(word, list);
@@ -84,6 +105,7 @@ Key key_row(const std::string& path, std::string_view doc, KeyType type, const K
   return {.path = path,
           .type = type,
           .doc = std::string(doc),
+          .unit = rules.unit,
           .range = rules.range,
           .choices = {rules.choices.begin(), rules.choices.end()},
           .required = rules.required,
@@ -118,6 +140,22 @@ const std::vector<Key>& scene_keys() {
     return all;
   }();
   return keys;
+}
+
+std::string unit_of(const Key& key, const Scene& scene) {
+  const auto own = key.unit_of_motion.find(motion_type(scene));
+  const std::string& unit = own == key.unit_of_motion.end() ? key.unit : own->second;
+  return unit.empty() ? "1" : unit;
+}
+
+std::string doc_of(const Key& key) {
+  if (key.unit.empty()) return key.doc;
+  std::map<std::string, std::vector<std::string>> motions;
+  for (const auto& [motion, unit] : key.unit_of_motion) motions[unit].push_back(motion);
+  std::string units = key.unit;
+  for (const auto& [unit, all] : motions) units += "; " + unit + " of " + joined(all);
+  const std::size_t end = std::min(key.doc.find(';'), key.doc.size());
+  return key.doc.substr(0, end) + " [" + units + "]" + key.doc.substr(end);
 }
 
 bool of_motion(const Key& key, const Scene& scene) {

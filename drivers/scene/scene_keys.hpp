@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -21,9 +22,11 @@ using Value = KeyValue;
 struct Key {
   std::string path;  ///< "motion.amplitude.peak"
   KeyType type = KeyType::number;
-  std::string doc;                        ///< one line, with the unit
-  Range range = {};                       ///< of a number, or of each in a list
-  std::vector<std::string> choices = {};  ///< of words
+  std::string doc;                                         ///< one line
+  std::string unit = {};                                   ///< in SI; empty: the number has none
+  std::map<std::string, std::string> unit_of_motion = {};  ///< of motions for which it is another, by their words
+  Range range = {};                                        ///< of a number, or of each in a list
+  std::vector<std::string> choices = {};                   ///< of words
   bool required = false;
   std::string derived = {};                   ///< how the default follows from other keys; empty: it is a constant
   std::vector<std::string> motions, domains;  ///< words of motion.type and body.domain for which it exists; empty: all
@@ -51,6 +54,11 @@ std::vector<std::string> names_under(const std::string& section, const Scene* sc
 
 /// Names that an item of the list may have; none where the key is no list.
 std::vector<std::string> item_names(const Key& list);
+
+/// The SI unit of the key's numbers for this scene's motion; "1" where they have none.
+std::string unit_of(const Key& key, const Scene& scene);
+/// The doc with the unit behind what it is of: "node spacing h [m]; nodes are at multiples of h".
+std::string doc_of(const Key& key);
 
 /// Whether the key exists for this scene's motion, on some domain.
 bool of_motion(const Key& key, const Scene& scene);

@@ -73,7 +73,11 @@ void read_key(const Key& key, const Tree& root, Scene& scene) {
   if (tree) {
     const bool by_axes = key.type == KeyType::per_axis && (scene.dimension == 2 || runs_in_space(scene));
     const auto axes = static_cast<std::size_t>(scene.dimension);
-    key.set(scene, by_axes ? Value(numbers_value(*tree, key.path, 1, axes, key.range)) : read_value(key, *tree));
+    const std::string unit = unit_of(key, scene);
+    const Scale scale = scene.units.scale(unit);
+    key.set(scene, by_axes
+                       ? in_si(key, numbers_value(*tree, key.path, 1, axes, in_units(key.range, scale)), scale, *tree)
+                       : read_value(key, *tree, scene.units, unit));
     scene.places.merge(places_of_value(key, *tree));
   } else if (key.required && applies(key, scene)) {
     const Tree* section = parent.empty() ? &root : value_at(root, parent);
@@ -100,6 +104,7 @@ std::filesystem::path folder_of(const Location& where) {
 
 void read_material(const Tree& root, Scene& scene) {
   MaterialChoice& material = scene.material;
+  material.units = scene.units;
   const Tree& adapter = *value_at(root, "material.adapter");
   material.where = adapter.where;
   material.adapter = absolute_material(material.adapter, folder_of(adapter.where));
@@ -127,12 +132,13 @@ void read_motion_path(const Tree& root, Interpolation otherwise, Scene& scene) {
   if (const std::string fault = fault_of_file(table); !fault.empty()) {
     throw InputError(given->where, "motion.path", fault);
   }
-  scene.motion = read_deformation_table(table, interpolation);
+  if (!value_at(root, "motion.time_unit")) scene.path_time = scene.units.time;
+  scene.motion = read_deformation_table(table, interpolation, scene.path_time);
   const Tree* period = value_at(root, "motion.period");
   const double last = scene.motion->period();
-  if (period && number_value(*period, "motion.period") != last) {
+  if (period && scene.units.scale("s").to_si(number_value(*period, "motion.period")) != last) {
     throw InputError(period->where, "motion.period",
-                     "is the time of the last row of motion.path, " + number_text(last) + ": leave it out");
+                     "is the time of the last row of motion.path, " + scene.units.text(last, "s") + ": leave it out");
   }
 }
 
@@ -169,7 +175,7 @@ void derive(const Tree& root, Scene& scene) {
   }
   if (!value_at(root, "body.cut")) {
     const bool average = scene.force.evaluation == ForceChoice::Evaluation::domain_average;
-    const bool loaded = scene.motion->bears_tractions();  // on the ring's faces
+    const bool loaded = scene.bears_tractions();  // on the ring's faces
     scene.body.cut = average || loaded ? Body::Cut::clipped : Body::Cut::whole;
   }
   if (!value_at(root, "time.end")) scene.time.end = scene.motion->period();
@@ -192,7 +198,7 @@ Scene scene_of(const Tree& root, const std::string& file, const std::string& sha
   scene.motion->set_dimension(scene.dimension);
   derive(root, scene);
   if (const Tree* expect = value_at(root, "expect"))
-    scene.expect = read_expectations(*expect, {.numbers = {order_key, last_order_key}});
+    scene.expect = read_expectations(*expect, {.numbers = {order_key, last_order_key}, .units = scene.units});
   check_scene(scene, [&](const std::string& path) {
     auto found = scene.places.find(path);
     if (found == scene.places.end()) found = scene.places.find(parent_of(path));

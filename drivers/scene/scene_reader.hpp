@@ -41,10 +41,11 @@ using KeyPlace = std::function<Location(const std::string& key)>;
 /// Throws InputError at the key that does not go with the others.
 void check_scene(const Scene& scene, const KeyPlace& where);
 
-/// Columns t [s], F11, F12, F21, F22, perhaps F33, and F13, F23, F31, F32, which only come together (0, and 1 for F33,
-/// where not given). Throws InputError as read_csv does, and unless the first row is t = 0 with F = I, times ascend,
-/// and det F > 0 at all rows and at 32 times between two.
-DeformationTable read_deformation_table(const std::string& file, Interpolation interpolation);
+/// `time`: the unit of t, unless the header says one. Columns t, F11, F12, F21, F22, perhaps F33, and F13, F23, F31,
+/// F32, which only come together (0, and 1 for F33, where not given). Throws InputError as read_csv does, and unless
+/// the first row is t = 0 with F = I, times ascend, and det F > 0 at all rows and at 32 times between two.
+DeformationTable read_deformation_table(const std::string& file, Interpolation interpolation,
+                                        const std::string& time = "s");
 
 /// A value for the place of a scene at a path: `grid.spacing`, `motion.vortices[0].radius`.
 struct Setting {

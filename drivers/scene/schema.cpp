@@ -75,7 +75,7 @@ Json map_schema(const Json& properties, const Json& required) {
 
 Json key_schema(const Key& key) {
   Json out = type_schema(key);
-  std::string doc = key.doc;
+  std::string doc = doc_of(key);
   if (!key.derived.empty()) doc += "; default: " + key.derived;
   out["description"] = doc;
   if (!key.required && key.derived.empty()) out["default"] = default_of(key);
@@ -155,6 +155,8 @@ nlohmann::ordered_json type_schema(const Key& key) {
       return list_schema(number_schema(key.range), 2);
     case KeyType::vector:
       return list_schema(number_schema(key.range), 3);
+    case KeyType::six:
+      return list_schema(number_schema(key.range), 6);
     case KeyType::pair_or_vector:
     case KeyType::per_axis:
       return list_schema(number_schema(key.range), 2, 3);

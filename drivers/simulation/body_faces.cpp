@@ -67,11 +67,15 @@ double mean_stretch(const Tensor& F) {
 }
 
 /// Of the two forms of a traction the one that keeps the exact motion stable: P N dA0 where the body is stretched,
-/// sigma n ds where it is compressed, on the mean of the principal directions where and when it is most deformed. On a
-/// ring P N dA0, which holds in both, and on a clipped lattice longer (measured).
+/// sigma n ds where it is compressed, as it is under an initial pressure; else on the mean of the principal directions
+/// where and when it is most deformed. On a ring P N dA0, which holds in both, and on a clipped lattice longer
+/// (measured).
 template <int Dim>
 mpm::TractionForm stable_form(const Scene& scene) {
   constexpr int looks = 200;
+  const bool is_ring = Dim == 2 && scene.body.domain == Body::Domain::ring;
+  const double pressure = -scene.initial_cauchy().trace();
+  if (pressure != 0 && !is_ring) return pressure > 0 ? mpm::TractionForm::follower : mpm::TractionForm::reference;
   if (ring_of(scene.motion)) return mpm::TractionForm::reference;
   double most = 0;
   for (const Vector3& X : places_of_stretch<Dim>(scene)) {
@@ -91,7 +95,7 @@ void require_no_ends(const Scene& scene, std::size_t d, double lower, double upp
   if (scene.body.is_periodic(d))
     refuse(scene, "frame", "moves the body against its periodic ends along " + along + ", which stay with the grid");
   const bool is_plane = scene.motion->is_symmetry_plane(d, lower) || scene.motion->is_symmetry_plane(d, upper);
-  if (is_plane && !scene.motion->bears_tractions())
+  if (is_plane && !scene.bears_tractions())
     refuse(scene, "frame", "moves the body against its symmetry planes across " + along + ", which stay with the grid");
 }
 
@@ -148,15 +152,14 @@ void require_surface(const Scene& scene) {
   const Body& body = scene.body;
   if (scene.dimension == 3) {
     if (body.domain == Body::Domain::vortex) return;
-    if (!scene.motion->bears_tractions()) {
+    if (!scene.bears_tractions()) {
       ends_of<3>(scene);
       return;
     }
     return require_corners_of_domains<3>(scene);
   }
   if (ring_of(scene.motion)) {
-    if (!scene.motion->bears_tractions() || body.lattice == Body::Lattice::polar || body.cut == Body::Cut::clipped)
-      return;
+    if (!scene.bears_tractions() || body.lattice == Body::Lattice::polar || body.cut == Body::Cut::clipped) return;
     refuse(scene, "body.cut",
            "tractions act on the ring's faces, which whole cells do not follow: take clipped, or lattice: "
            "polar");
@@ -165,7 +168,7 @@ void require_surface(const Scene& scene) {
 }
 
 std::optional<mpm::Traction> traction_of(Scene& scene) {
-  if (!scene.motion->bears_tractions() || scene.force.response == ForceChoice::Response::none) return std::nullopt;
+  if (!scene.bears_tractions() || scene.force.response == ForceChoice::Response::none) return std::nullopt;
   if (!scene.traction.form) scene.traction.form = scene.dimension == 3 ? stable_form<3>(scene) : stable_form<2>(scene);
   return mpm::Traction{scene.traction.algorithm, *scene.traction.form};
 }

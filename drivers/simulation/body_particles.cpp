@@ -38,6 +38,19 @@ mpm::BoxOfAxes<Dim> around(const std::array<double, Dim>& X, const std::array<do
 
 bool is_averaged(const Scene& scene) { return scene.force.evaluation == ForceChoice::Evaluation::domain_average; }
 
+/// The edges or faces of a box that bear tractions.
+template <int Dim>
+void add_faces(const Scene& scene, const auto& domain_of, mpm::Seeds<Dim>& seeds) {
+  const auto box = body_box<Dim>(scene);
+  const auto ends = ends_of<Dim>(scene);
+  const mpm::BoxOfAxes<Dim> body{box.lower, box.upper};
+  for (std::size_t p = 0; p < seeds.size(); ++p) {
+    std::array<double, Dim> X;
+    for (std::size_t d = 0; d < Dim; ++d) X[d] = seeds.X[d][p];
+    mpm::add_surface_edges(body, ends, domain_of(X), static_cast<std::uint32_t>(p), seeds.surface);
+  }
+}
+
 /// Particles in the cells of the grid, whole.
 mpm::Seeds<2> whole_cells(const Scene& scene) {
   const Annulus ring = *ring_of(scene.motion);
@@ -57,9 +70,10 @@ mpm::Seeds<2> whole_cells(const Scene& scene) {
   };
   const Box box = body_box(scene);
   const auto per_cell = body.per_cell.in<2>();
-  if (!gauss) return mpm::cartesian_lattice(box.lower, box.upper, h, per_cell, fate);
-  mpm::Seeds<2> seeds = mpm::gauss_lattice(box.lower, box.upper, h, per_cell, fate);
-  if (is_averaged(scene)) {
+  mpm::Seeds<2> seeds = gauss ? mpm::gauss_lattice(box.lower, box.upper, h, per_cell, fate)
+                              : mpm::cartesian_lattice(box.lower, box.upper, h, per_cell, fate);
+  if (body.domain != Body::Domain::ring && scene.bears_tractions()) add_faces<2>(scene, domain_of, seeds);
+  if (gauss && is_averaged(scene)) {
     seeds.domains = std::make_shared<const ReferenceDomains>(mpm::gauss_domains(seeds, cells, ring));
   }
   return seeds;
@@ -69,7 +83,6 @@ mpm::Seeds<2> whole_cells(const Scene& scene) {
 template <int Dim>
 mpm::Seeds<Dim> box_seeds(const Scene& scene) {
   const auto box = body_box<Dim>(scene);
-  const auto ends = ends_of<Dim>(scene);
   const double h = scene.grid->spacing;
   const bool gauss = scene.body.lattice == Body::Lattice::gauss;
   const auto per_cell = scene.body.per_cell.in<Dim>();
@@ -77,13 +90,10 @@ mpm::Seeds<Dim> box_seeds(const Scene& scene) {
   mpm::Seeds<Dim> seeds = gauss ? mpm::gauss_lattice(box.lower, box.upper, h, per_cell, all)
                                 : mpm::cartesian_lattice(box.lower, box.upper, h, per_cell, all);
   const mpm::GaussCells<Dim> cells(h, per_cell);
-  const mpm::BoxOfAxes<Dim> body{box.lower, box.upper};
-  for (std::size_t p = 0; p < seeds.size(); ++p) {
-    std::array<double, Dim> X;
-    for (std::size_t d = 0; d < Dim; ++d) X[d] = seeds.X[d][p];
-    const auto domain = gauss ? cells.box_around(X) : around<Dim>(X, seeds.half_size);
-    mpm::add_surface_edges(body, ends, domain, static_cast<std::uint32_t>(p), seeds.surface);
-  }
+  const auto domain_of = [&](const std::array<double, Dim>& X) {
+    return gauss ? cells.box_around(X) : around<Dim>(X, seeds.half_size);
+  };
+  add_faces<Dim>(scene, domain_of, seeds);
   return seeds;
 }
 
@@ -117,9 +127,10 @@ mpm::Seeds<3> vortex_seeds(const Scene& scene) {
     return is_averaged(scene) && partly_moves(X) ? mpm::Fate::stepped : mpm::Fate::held;
   };
   const auto box = body_box<3>(scene);
-  if (!gauss) return mpm::cartesian_lattice(box.lower, box.upper, h, per_cell, fate);
-  mpm::Seeds<3> seeds = mpm::gauss_lattice(box.lower, box.upper, h, per_cell, fate);
-  if (!is_averaged(scene)) return seeds;
+  mpm::Seeds<3> seeds = gauss ? mpm::gauss_lattice(box.lower, box.upper, h, per_cell, fate)
+                              : mpm::cartesian_lattice(box.lower, box.upper, h, per_cell, fate);
+  if (scene.bears_tractions()) add_faces<3>(scene, domain_of, seeds);
+  if (!gauss || !is_averaged(scene)) return seeds;
   std::vector<std::array<Vector3, 8>> domains;
   for (std::size_t p = 0; p < seeds.size(); ++p) {
     const auto domain = domain_of({seeds.X[0][p], seeds.X[1][p], seeds.X[2][p]});
@@ -175,7 +186,8 @@ mpm::Seeds<3> seeds_in_space(const Scene& scene) {
 
 mpm::Seeds<2> seeds_in_plane(const Scene& scene) {
   mpm::Seeds<2> seeds = still_seeds_of(scene);
-  if (ring_of(scene.motion) && !is_vortex(scene.motion)) mpm::add_face_arcs(*ring_of(scene.motion), seeds);
+  if (ring_of(scene.motion) && scene.body.domain == Body::Domain::ring && scene.bears_tractions())
+    mpm::add_face_arcs(*ring_of(scene.motion), seeds);
   const bool jittered = scene.body.lattice == Body::Lattice::jittered;
   const bool turned = scene.frame && scene.frame->angle != 0;
   if ((jittered || turned) && !seeds.domains && is_averaged(scene) &&

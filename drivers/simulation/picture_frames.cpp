@@ -14,7 +14,7 @@ using mpm::Column;
 
 ParticleFrame plane_frame(const Problem& problem, const mpm::State<2>& s, double t) {
   ParticleFrame frame;
-  frame.caption = "t = " + rounded_text(t, 4) + " s";
+  frame.caption = "t = " + problem.scene.units.text(t, "s", 4);
   const mpm::Seeds<2>& seeds = problem.setup.seeds;
   // F is that of the edges, or of the diagonals
   const bool convects = mpm::traits_of<2>(problem.setup.method.basis).convects;

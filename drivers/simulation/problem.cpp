@@ -164,6 +164,8 @@ ProblemIn<Dim> assemble(const Scene& given, int threads) {
   setup.threads = threads;
   if (setup.seeds.size() == 0) refuse(scene, "grid.spacing", no_particle_sentence(problem));
   for (const Path& path : baseline_paths(scene)) setup.material_direction = path.material_direction;
+  const Tensor turn = scene.frame ? scene.frame->rotation(0) : Tensor(Tensor::Identity());
+  setup.initial_cauchy = turn * scene.initial_cauchy() * turn.transpose();
   find_speeds(problem);
   plan_steps(problem);
   check_limits(problem);

@@ -62,7 +62,7 @@ std::string ProblemIn<Dim>::subject() const {
   for (const auto& effect : mpm::effects<Dim>()) {
     if (effect.in_title && effect.called_for(setup)) way += ", " + effect.in_title(setup.options);
   }
-  return material->name() + "; " + way + "; h = " + rounded_text(scene.grid->spacing, 4) + " m; " + per_cell +
+  return material->name() + "; " + way + "; h = " + scene.units.text(scene.grid->spacing, "m", 4) + "; " + per_cell +
          " a cell" + (scene.body.lattice == Body::Lattice::cartesian ? "" : ", " + word_of(scene.body.lattice)) +
          motion_text() + (scene.frame ? "; frame: " + frame_text(*scene.frame) : "") +
          (setup.uses_exact_solution() ? "; uses the exact solution" : "");

@@ -62,13 +62,17 @@ namespace {
 ExactSolutionPtr solution_of_places(const Scene& scene, const std::shared_ptr<const Material>& material,
                                     const Path& path, double end, const ResponseMaking& how) {
   const double density = scene.material.density;
-  if (scene.motion->polar()) return exact_polar(scene.motion, density, response_of(scene, material, path, end, how));
+  if (scene.motion->polar())
+    return exact_polar(scene.motion, density, response_of(scene, material, path, end, how), path.initial_cauchy);
   if (const auto* vortex = scene.motion.as<Vortex3d>())
     return exact_meridian(*vortex, density, response_of(scene, material, path, end, how));
   const auto* box = scene.motion.as<AxisAligned>();
   if (!box) return nullptr;
   return exact_box(*box, density, material,
-                   {.tolerance = scene.force.tolerance, .end = end, .direction = path.material_direction});
+                   {.tolerance = scene.force.tolerance,
+                    .end = end,
+                    .direction = path.material_direction,
+                    .initial_cauchy = path.initial_cauchy});
 }
 
 /// For single points at any times, each as exact as it can be. The unit box has histories around each point. A motion

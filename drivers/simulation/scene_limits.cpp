@@ -4,6 +4,7 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/body_faces.hpp"
+#include "drivers/simulation/units_hint.hpp"
 #include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 #include "harness/motion/kinds/vortex3d.hpp"
@@ -100,7 +101,7 @@ void require_few_periods(const Scene& scene, const Material& material) {
   if (!followed || scene.time.end <= most_periods * scene.motion->period()) return;
   refuse(scene, "time.end",
          "histories are followed over at most " + rounded_text(most_periods, 6) +
-             " periods of the motion, whose T is " + rounded_text(scene.motion->period(), 6) + " s");
+             " periods of the motion, whose T is " + scene.units.text(scene.motion->period(), "s", 6));
 }
 
 template <int Dim>
@@ -124,10 +125,11 @@ void check_limits(const ProblemIn<Dim>& problem) {
     }
   }
   if (particle_steps > scene.limits.particle_steps) {
+    const std::string hint = units_hint(problem);
     refuse(scene, "limits.particle_steps",
            "the run would take " + rounded_text(particle_steps, 3) + " particle-steps" +
                (of_histories > 0 ? ", those of the response's histories included" : "") + ", the limit is " +
-               rounded_text(scene.limits.particle_steps, 6));
+               rounded_text(scene.limits.particle_steps, 6) + (hint.empty() ? "" : ": " + hint));
   }
 }
 

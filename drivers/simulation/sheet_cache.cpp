@@ -55,6 +55,9 @@ std::string bytes_of(const Path& path, double end) {
   }
   for (const double t : times) append(bytes, t);
   for (const double d : path.material_direction) append(bytes, d);
+  if (!path.initial_cauchy.isZero(0)) {
+    for (const double component : nine_of(path.initial_cauchy)) append(bytes, component);
+  }
   if (!path.straight()) {
     for (const double number : path.recipe) append(bytes, number);
   }

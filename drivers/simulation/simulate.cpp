@@ -72,7 +72,7 @@ class Run {
       if (k % good_interval_ == 0) snapshots_.keep_good(simulation_.state(), next);
       observe(planned_step(t), planned_step(next), next);
       t = next;
-      progress.update(t / problem_.scene.time.end, "t = " + rounded_text(next, 3) + " s");
+      progress.update(t / problem_.scene.time.end, "t = " + problem_.scene.units.text(next, "s", 3));
     }
     result_.step_cpu_s = cpu_seconds() - cpu_at_start - observing_cpu_s_;
     result_.wall_s = seconds_since(start);
@@ -137,10 +137,12 @@ class Run {
     result_.outcome = finding.kind == mpm::Finding::Kind::unstable ? "unstable" : "material_failed";
     const mpm::State<Dim>& s = simulation_.state();
     const auto p = static_cast<std::size_t>(finding.particle);
-    const auto X = [&](int d) { return rounded_text(s.column(mpm::Column::reference_position, d)[p], 6); };
+    const auto X = [&](int d) {
+      return rounded_text(problem_.scene.units.scale("m").from_si(s.column(mpm::Column::reference_position, d)[p]), 6);
+    };
     result_.reason = finding.reason + ": particle " + std::to_string(finding.particle) + " of reference position (" +
-                     X(0) + ", " + X(1) + (Dim == 3 ? ", " + X(2) : "") +
-                     ") m at t = " + rounded_text(result_.t.value_or(0), 6) + " s";
+                     X(0) + ", " + X(1) + (Dim == 3 ? ", " + X(2) : "") + ") " + problem_.scene.units.name("m") +
+                     " at t = " + problem_.scene.units.text(result_.t.value_or(0), "s", 6);
     if (finding.step) result_.failed_step = std::make_shared<const FailedStep>(*finding.step);
   }
 

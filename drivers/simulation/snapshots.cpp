@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "drivers/picture/author_units.hpp"
 #include "drivers/simulation/picture_frames.hpp"
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/text/numbers.hpp"
@@ -188,7 +189,7 @@ void Snapshots<Dim>::draw(std::size_t way, const std::string& prefix, ParticlePi
       picture.frames.push_back(frame.drawn[way].shape);
       picture.frames.back().value = frame.drawn[way].*values;
     }
-    written.push_back({prefix + name, seen + caption, png(picture)});
+    written.push_back({prefix + name, seen + caption, png(in_units(picture, problem_->scene.units))});
     folder_->write(written.back().name, written.back().png);
   };
   double largest_error = 0, farthest_measure = 0;

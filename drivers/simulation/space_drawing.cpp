@@ -69,7 +69,7 @@ Vector3 in_body(const Scene& scene, const Vector3& x, double t) {
   return scene.frame ? scene.frame->body_position(x, t) : x;
 }
 
-std::string caption_at(double t) { return "t = " + rounded_text(t, 4) + " s"; }
+std::string caption_at(const Scene& scene, double t) { return "t = " + scene.units.text(t, "s", 4); }
 
 }  // namespace
 
@@ -117,7 +117,7 @@ SpaceDrawing::SpaceDrawing(const ProblemIn<3>& problem) : problem_(&problem), do
 
 SpaceShapes SpaceDrawing::cut(const mpm::State<3>& s, double t) const {
   SpaceShapes shapes;
-  shapes.frame.caption = caption_at(t);
+  shapes.frame.caption = caption_at(problem_->scene, t);
   const SpaceDomains::Now now = domains_.now(columns_of(s), true);
   const Scene& scene = problem_->scene;
   const Vector3 normal = axes_.row(2);
@@ -199,7 +199,7 @@ std::vector<SpaceDrawing::Face> SpaceDrawing::faces_of(const mpm::State<3>& s, d
 
 SpaceShapes SpaceDrawing::view(const mpm::State<3>& s, double t) const {
   SpaceShapes shapes;
-  shapes.frame.caption = caption_at(t);
+  shapes.frame.caption = caption_at(problem_->scene, t);
   for (const Face& face : faces_of(s, t)) {
     std::vector<Point> polygon;
     for (const Vector3& x : face.corners) polygon.push_back({x.x(), x.y()});
@@ -216,7 +216,7 @@ std::array<std::string, 2> SpaceDrawing::labels() const {
 }
 
 std::string SpaceDrawing::cut_words() const {
-  return by_axis_ ? "across the axis of the vortex" : "at z = " + rounded_text(middle_.z(), 4) + " m";
+  return by_axis_ ? "across the axis of the vortex" : "at z = " + problem_->scene.units.text(middle_.z(), "m", 4);
 }
 
 std::vector<SpaceAxis> SpaceDrawing::axes_of_view() const {

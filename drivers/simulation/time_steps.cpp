@@ -8,6 +8,7 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/scene/scene.hpp"
+#include "drivers/simulation/units_hint.hpp"
 #include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/vortex3d.hpp"
 #include "harness/stability/wave_speed.hpp"
@@ -208,11 +209,11 @@ void plan_steps(PosedScene& problem) {
     refuse(scene, fixed->key, "must not exceed time.end, " + rounded_text(scene.time.end, 6));
   const double steps = fixed ? std::ceil(scene.time.end / fixed->dt * (1 - whole_steps)) : steps_by_courant(problem);
   if (!(steps >= 1 && steps < most_steps)) {
-    const std::string key = key_of_steps(problem);
+    const std::string key = key_of_steps(problem), hint = units_hint(problem);
     refuse(scene, key,
-           "gives " + rounded_text(steps, 3) + " steps to time.end = " + rounded_text(scene.time.end, 6) +
-               " s (fastest wave on the path " + rounded_text(problem.wave_speed, 3) + " m/s, fastest particle " +
-               rounded_text(problem.particle_speed, 3) + " m/s)");
+           "gives " + rounded_text(steps, 3) + " steps to time.end = " + scene.units.text(scene.time.end, "s", 6) +
+               " (fastest wave on the path " + scene.units.text(problem.wave_speed, "m/s", 3) + ", fastest particle " +
+               scene.units.text(problem.particle_speed, "m/s", 3) + ")" + (hint.empty() ? "" : ": " + hint));
   }
   if (!std::isfinite(problem.wave_speed + problem.particle_speed)) {  // a step that is given asks for neither
     const char* key = key_of_speed(problem);

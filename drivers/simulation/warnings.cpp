@@ -8,6 +8,7 @@
 
 #include "drivers/scene/body_box.hpp"
 #include "drivers/simulation/time_steps.hpp"
+#include "drivers/simulation/units_hint.hpp"
 #include "drivers/text/numbers.hpp"
 #include "harness/check/march.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
@@ -115,8 +116,8 @@ std::string thin_body_sentence(const Scene& scene) {
   const double cells = thickness / scene.grid->spacing;
   if (!(cells < enough * (1 - 1e-9))) return "";
   const bool at_points = scene.force.evaluation == mpm::Evaluation::point;
-  return "grid.spacing: a vortex is " + rounded_text(thickness, 3) + " m thick, which is " + rounded_text(cells, 2) +
-         " cells: errors may be as large as the motion" +
+  return "grid.spacing: a vortex is " + scene.units.text(thickness, "m", 3) + " thick, which is " +
+         rounded_text(cells, 2) + " cells: errors may be as large as the motion" +
          (at_points ? "; force.evaluation: domain_average lessens them" : "");
 }
 
@@ -127,8 +128,9 @@ std::string coarse_grid_sentence(const ProblemIn<Dim>& problem) {
   double side = HUGE_VAL;
   for (std::size_t d = 0; d < Dim; ++d) side = std::min(side, body.upper[d] - body.lower[d]);
   if (!(side > 0 && h > (1 + 1e-9) * side)) return "";
-  return "grid.spacing = " + rounded_text(h, 3) + " m is larger than the body, which is " + rounded_text(side, 3) +
-         " m across: no cell is filled, and errors may be as large as the motion";
+  const Units& units = problem.scene.units;
+  return "grid.spacing = " + units.text(h, "m", 3) + " is larger than the body, which is " + units.text(side, "m", 3) +
+         " across: no cell is filled, and errors may be as large as the motion";
 }
 
 /// A quadratic spline ends in the middle of a cell. A particle there gives the node beyond it neither mass nor stress,
@@ -187,9 +189,10 @@ std::optional<double> period_of_few_waves(const ProblemIn<Dim>& problem) {
 
 std::string period_text(const PosedScene& problem, double period) {
   const Scene& scene = problem.scene;
-  std::string text = rounded_text(period, 2);
+  const Scale time = scene.units.scale("s");
+  std::string text = rounded_text(time.from_si(period), 2);
   if (!scene.places.contains("time.end")) return text;
-  return text + " with time.end: " + rounded_text(period * scene.time.end / problem.period(), 2);
+  return text + " with time.end: " + rounded_text(time.from_si(period * scene.time.end / problem.period()), 2);
 }
 
 template <int Dim>
@@ -210,17 +213,23 @@ std::string swing_sentence(const Scene& scene) {
   if (!far) return "";
   const std::string name = "F" + std::to_string(far->component / 3 + 1) + std::to_string(far->component % 3 + 1);
   return "motion.interpolation: the spline takes " + name + " to " + rounded_text(far->value, 6) +
-         " at t = " + rounded_text(far->x, 6) + " s, " + rounded_text(far->by, 3) + " beyond the rows there, " +
+         " at t = " + scene.units.text(far->x, "s", 6) + ", " + rounded_text(far->by, 3) + " beyond the rows there, " +
          rounded_text(far->lower, 6) + " and " + rounded_text(far->upper, 6) + ": monotone stays between them";
 }
 
 template <int Dim>
 std::vector<std::string> warnings_of(const ProblemIn<Dim>& problem) {
-  std::vector<std::string> all{long_motion_sentence(problem),    long_step_sentence(problem),
-                               stress_at_rest_sentence(problem), swing_sentence(problem.scene),
-                               jump_sentence(problem),           late_snapshots_sentence(problem),
-                               density_sentence(problem),        coarse_grid_sentence(problem),
-                               spline_end_sentence(problem),     thin_body_sentence(problem.scene)};
+  std::vector<std::string> all{long_motion_sentence(problem),
+                               long_step_sentence(problem),
+                               stress_at_rest_sentence(problem),
+                               swing_sentence(problem.scene),
+                               jump_sentence(problem),
+                               late_snapshots_sentence(problem),
+                               density_sentence(problem),
+                               coarse_grid_sentence(problem),
+                               spline_end_sentence(problem),
+                               thin_body_sentence(problem.scene),
+                               units_hint_for_many_steps(problem)};
   std::erase(all, "");
   return all;
 }

@@ -33,7 +33,7 @@ constexpr std::int64_t same_stop = 300'000'000;  // [ns]
 /// the first signal by then.
 constexpr time_t grace = 8;  // [s]
 timer_t grace_timer;
-std::atomic<bool> has_timer{false}, is_noticed{false}, is_own{false};
+std::atomic<bool> has_timer{false}, is_noticed{false}, is_own{false}, keeps_what_there_is{false};
 
 /// Async-signal-safe.
 void set_grace(time_t seconds) {
@@ -126,13 +126,17 @@ int interrupt_signal() { return first_signal; }
 
 bool interrupted_from_inside() { return is_own; }
 
+KeptAfterInterrupt::KeptAfterInterrupt() { keeps_what_there_is = true; }
+
+KeptAfterInterrupt::~KeptAfterInterrupt() { keeps_what_there_is = false; }
+
 Deadline::Deadline(double seconds) { deadline_ns = processor_ns() + static_cast<std::int64_t>(1e9 * seconds); }
 
 Deadline::~Deadline() { deadline_ns = 0; }
 
 void stop_if_interrupted() {
   end_a_copy();
-  if (const int signal = noticed()) throw Interrupted{signal};
+  if (const int signal = noticed(); signal != 0 && !keeps_what_there_is) throw Interrupted{signal};
   if (const std::string words = adapters::shortage(); !words.empty()) throw SystemError(words);
   if (const std::int64_t deadline = deadline_ns; deadline != 0 && processor_ns() > deadline) throw TimeIsUp{};
 }

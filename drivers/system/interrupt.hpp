@@ -41,6 +41,15 @@ struct Interrupted {
 /// Throws Interrupted when a signal came, TimeIsUp when the time of a Deadline is over.
 void stop_if_interrupted();
 
+/// While one lives, stop_if_interrupted() passes over the signal that came: what was found until then is written down.
+class KeptAfterInterrupt {
+ public:
+  KeptAfterInterrupt();
+  KeptAfterInterrupt(const KeptAfterInterrupt&) = delete;
+  KeptAfterInterrupt& operator=(const KeptAfterInterrupt&) = delete;
+  ~KeptAfterInterrupt();
+};
+
 struct TimeIsUp {};
 
 /// While it lives, loops that poll stop after so many seconds of processor time, which a busy machine does not shorten.

@@ -9,6 +9,7 @@
 #include "drivers/output/errors_csv.hpp"
 #include "drivers/output/junit.hpp"
 #include "drivers/output/report.hpp"
+#include "drivers/picture/author_units.hpp"
 #include "drivers/result/result_json.hpp"
 #include "drivers/scene/expect.hpp"
 #include "drivers/scene/scene_reader.hpp"
@@ -30,8 +31,7 @@ void record_rim(const PosedScene& problem, const Response& response, Result& res
   const auto* vortex = problem.scene.motion.as<Vortex>();
   if (!vortex) return;
   result.rim = rim_of(response, *vortex, problem.scene.grid->spacing, problem.scene.time.end);
-  const std::string sentence = result.rim ? narrow_rim_sentence(*result.rim) : "";
-  if (!sentence.empty()) warn(sentence);
+  if (const std::string words = result.rim ? narrow_rim_sentence(*result.rim) : ""; !words.empty()) warn(words);
 }
 
 void record_response(const PosedScene& problem, const Response& response, double seconds, Result& result) {
@@ -48,8 +48,7 @@ std::vector<ReportPicture> simulate_into(ProblemIn<Dim>& problem, const RunOptio
                                          OutputFolder& folder, Result& result) {
   const Stopwatch of_response;
   ExactSolutionPtr exact;
-  const std::string long_motion = long_motion_sentence(problem);
-  if (!long_motion.empty() && !options.quiet()) warn(long_motion);
+  if (const std::string words = long_motion_sentence(problem); !words.empty() && !options.quiet()) warn(words);
   if (problem.compared) {
     exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end,
                               {.threads = problem.setup.threads, .quiet = options.quiet()});
@@ -89,7 +88,7 @@ bool admitted(const PosedScene& problem, bool quiet, Result& result) {
 void write_history(const Scene& scene, const Result& result, OutputFolder& folder) {
   folder.write("errors.csv", errors_csv(result.history));
   if (scene.output.pictures && !result.history.empty())
-    folder.write("error_history.png", png(error_history_plot(result.history)));
+    folder.write("error_history.png", png(in_units(error_history_plot(result.history), scene.units)));
 }
 
 /// Report and verdict. Returns the text of result.json.

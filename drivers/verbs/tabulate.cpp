@@ -4,11 +4,14 @@
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 
 #include "drivers/command_line/verb.hpp"
 #include "drivers/findings/findings.hpp"
 #include "drivers/output/output_folder.hpp"
 #include "drivers/path/path_tabulation.hpp"
+#include "drivers/picture/author_units.hpp"
 #include "drivers/point_drivers/mtest_run.hpp"
 #include "drivers/point_drivers/niemunis_run.hpp"
 #include "drivers/result/result_json.hpp"
@@ -25,12 +28,15 @@
 #include "drivers/tabulation/tabulation.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/sha256.hpp"
+#include "drivers/text/unseen.hpp"
 #include "drivers/text/wrapped_text.hpp"
 #include "harness/motion/kinds/deformation_table.hpp"
 
 namespace assay::drivers {
 
 namespace {
+
+constexpr const char* belongs_to_paths = "belongs to paths, and this is none";
 
 /// A scene that also runs says in `expect:` what the run should find: of that, the sheet and its
 /// references can be judged here.
@@ -57,16 +63,17 @@ std::string summary(const Tabulation& tab, const Result& result, const std::stri
   return text + expectations_text(result, true) + "results in " + one_line(folder) + "\n";
 }
 
-void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, OutputFolder& folder) {
+void write_tables(const Tabulation& tab, const std::vector<SheetPoint>& points, const Units& units,
+                  OutputFolder& folder) {
   folder.write("sheet.csv", regular_sheet(tab));
   const Curve curve = curve_of(tab);
   folder.write(curve.of_eps ? "curve.csv" : "history.csv", curve_csv(curve));
   const std::string who = tab.material->name() + ", " + tab.path.name;
   const std::string of = curve.of_eps ? "(ε): " : "(t): ", slope = curve.of_eps ? "dτ/dε" : "dτ/dξ";
-  folder.write("tau.png", png(plot_of(curve, curve.tau, "τ", "τ" + of + who)));
-  folder.write("slope.png", png(plot_of(curve, curve.slope, slope, slope + of + who)));
-  folder.write("sheet.png", png(sheet_picture(tab)));
-  if (!tab.material->path_independent()) folder.write("histories.png", png(histories_plot(tab)));
+  folder.write("tau.png", png(in_units(plot_of(curve, curve.tau, "τ", "τ" + of + who), units)));
+  folder.write("slope.png", png(in_units(plot_of(curve, curve.slope, slope, slope + of + who), units)));
+  folder.write("sheet.png", png(in_units(sheet_picture(tab), units)));
+  if (!tab.material->path_independent()) folder.write("histories.png", png(in_units(histories_plot(tab), units)));
   if (!points.empty()) folder.write("points.csv", sheet_at(tab, points));
 }
 
@@ -78,10 +85,26 @@ void refuse_of_loading_files(const TabulateOptions& options) {
     throw InputError({}, "--define", "belongs to MTest files");
 }
 
+/// The setting of a path's `increments` that "8,16,32" stands for.
+std::string setting_of_increments(const std::string& text) {
+  std::string list;
+  double before = 0;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto count = parse_number(text.substr(begin, end - begin));
+    if (!count || !(*count > before) || *count > 1e6 || *count != std::floor(*count))
+      throw InputError({}, "--increments", "must be whole numbers that ascend, as 8,16,32, found " + shown(text, 80));
+    list += (list.empty() ? "" : ", ") + number_text(before = *count);
+    begin = end + 1;
+  }
+  return "increments=[" + list + "]";
+}
+
 Act add_tabulate_arguments(VerbArguments& verb) {
   const auto given = std::make_shared<TabulateOptions>();
   add_scene(verb, *given);
   add_value(verb, "--points", given->points, "CSV", "also the response at the xi,t of this file");
+  add_value(verb, "--increments", given->increments, "N,N,...", "path: error and order of so many increments");
   add_repeatable(verb, "--define", given->defines, "NAME=VALUE", "MTest file: what stands for @NAME@");
   add_value(verb, "--material", given->material, "MATERIAL", "MTest or loading file: the material to take",
             "@materials");
@@ -102,6 +125,7 @@ int tabulate(const TabulateOptions& options) {
     throw InputError({}, "--points", "is the scene's stream, which can be read once");
   if (is_mtest(options.scene) || is_niemunis(options.scene)) {
     refuse_of_loading_files(options);
+    if (!options.increments.empty()) throw InputError({}, "--increments", belongs_to_paths);
     if (is_niemunis(options.scene)) return tabulate_niemunis(options, options.material);
     MtestOptions mtest;
     static_cast<SceneOptions&>(mtest) = options;
@@ -114,8 +138,11 @@ int tabulate(const TabulateOptions& options) {
   const std::string bytes = read_bytes(options.scene);
   if (is_path_text(bytes, options.scene)) {
     if (!options.points.empty()) throw InputError({}, "--points", "asks for points of a sheet, which a path has not");
-    return tabulate_path(path_tree(bytes, options.scene, options.sets), sha256_hex(bytes), options);
+    std::vector<std::string> sets = options.sets;
+    if (!options.increments.empty()) sets.push_back(setting_of_increments(options.increments));
+    return tabulate_path(path_tree(bytes, options.scene, sets), sha256_hex(bytes), options);
   }
+  if (!options.increments.empty()) throw InputError({}, "--increments", belongs_to_paths);
   Scene scene = scene_from_text(bytes, options.scene, options.sets, to_tabulate);
   std::vector<SheetPoint> points;
   if (!options.points.empty()) points = read_sheet_points(options.points);
@@ -142,7 +169,7 @@ int tabulate(const TabulateOptions& options) {
     result.t = tab.end;
     result.reference = references_of(tab.material, tab.path, *tab.response, tab.end);
     result.wall_s = life.seconds() - result.setup_s;
-    write_tables(tab, points, folder);
+    write_tables(tab, points, scene.units, folder);
   } catch (const MaterialFailure& failure) {
     if (result.wall_s == 0) result.wall_s = life.seconds() - result.setup_s;
     record_failure(failure, result);

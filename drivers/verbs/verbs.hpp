@@ -20,6 +20,7 @@ struct TabulateOptions : SceneOptions {
   std::string points;                     ///< CSV of xi,t; empty: none
   std::vector<std::string> defines = {};  ///< NAME=VALUE of an MTest file
   std::string material = {};              ///< in place of its behaviour
+  std::string increments = {};            ///< of a path: "8,16,32", in place of the scene's own; empty: these
 };
 
 /// Leaves the sheet of a scene's material, its slope and its curve in the folder. The same status.

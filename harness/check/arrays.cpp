@@ -64,6 +64,14 @@ Deed refusal_of(const std::string& message) {
   return {{}, {}, {}, false, message};
 }
 
+/// A field at the end of a step, which the host fills, is as at the beginning.
+void keep_fields(const Material& material, std::size_t n, const std::vector<double>& state0, double* state1) {
+  for (const StatePlace& place : state_of(material.table())) {
+    if (place.role != ASSAY_ROLE_FIELD) continue;
+    std::copy_n(state0.data() + place.first * n, n, state1 + place.first * n);
+  }
+}
+
 /// Whether a variable other than a direction, which the host fills, still has the mark.
 bool leaves_unwritten(const Material& material, const std::vector<double>& state, std::size_t n) {
   const std::vector<StatePlace> places = state_of(material.table());
@@ -111,6 +119,7 @@ Deed step(const Material& material, const Walk& walk, double t, const Tensor& be
       factor(1, n, 1.0, bytes);
   Guarded<std::int32_t> status(n, n, -77, bytes);
   Guarded<char> message(ASSAY_MESSAGE_SIZE, 1, 0, bytes);
+  keep_fields(material, n, state0, state1.data());
   const assay_step whole{material.pace() * t, material.pace() * length, F0.data(), F1.data()};
   assay_step step = whole;
   const std::string thrown = thrown_by(material.table().update, [&] {

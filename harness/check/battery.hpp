@@ -61,6 +61,7 @@ struct Declarations {
   std::string numbered_state = {};  ///< an array whose numbers are the names s1, s2 ... of state variables; or empty
   bool guesses_roles = false;       ///< of the state: a foreign interface knows none
   bool may_drop_stress = false;     ///< an initial one that it cannot carry: it has no way to refuse
+  bool plane_stress = false;        ///< in the plane 12: a stretch along 3 gives no stress, and none acts there
   double tangent_within = 1e-4;     ///< relative: of a foreign implicit law more, as its last iteration leaves it
   std::string tangent = "d sigma / d F1 in row-major order";
 };

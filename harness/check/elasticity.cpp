@@ -69,11 +69,20 @@ struct Elasticity : StiffnessOf {
   }
 };
 
+/// That of a plane, as isotropic along its normal as along 1: the other components of plane stress stay as they are.
+void complete_plane(Stiffness& C) {
+  C(2, 2) = C(0, 0);
+  C(0, 2) = C(2, 0) = C(1, 2) = C(2, 1) = C(0, 1);
+}
+
 /// Those that say something.
 std::vector<Elasticity> isotropic_ones(const Specimen& specimen) {
   std::vector<Elasticity> all;
   if (!specimen.isotropic()) return all;
   for (const StiffnessOf& each : linear_stiffnesses(specimen)) all.push_back({each});
+  for (Elasticity& each : all) {
+    if (specimen.options.declarations.plane_stress) complete_plane(each.C);
+  }
   return all;
 }
 

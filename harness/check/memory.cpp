@@ -12,10 +12,12 @@ namespace assay::check {
 
 namespace {
 
-/// But for directions, which the host fills.
+/// But for directions and fields, which the host fills.
 std::vector<StatePlace> variables_of(const Material& material) {
   std::vector<StatePlace> all = state_of(material.table());
-  std::erase_if(all, [](const StatePlace& place) { return place.role == ASSAY_ROLE_DIRECTION; });
+  std::erase_if(all, [](const StatePlace& place) {
+    return place.role == ASSAY_ROLE_DIRECTION || place.role == ASSAY_ROLE_FIELD;
+  });
   return all;
 }
 

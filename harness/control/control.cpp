@@ -48,7 +48,10 @@ Tensor cauchy_of(StressMeasure measure, const Tensor& s, const Tensor& F) {
 }
 
 double value_of(const ControlQuantity& quantity, const ControlledPoint& point) {
-  return quantity.deformation.cwiseProduct(point.q).sum() + quantity.stress.cwiseProduct(point.s).sum();
+  const double sum = quantity.deformation.cwiseProduct(point.q).sum() + quantity.stress.cwiseProduct(point.s).sum();
+  if (quantity.ln_J == 0 && quantity.J == 0) return sum;
+  const double J = point.F.determinant();
+  return sum + quantity.ln_J * std::log(J) + quantity.J * J;
 }
 
 /// Gauss-Jordan elimination. A row of one component alone prescribes that component to the bit, and a relation is
@@ -63,7 +66,7 @@ FreeDeformation::FreeDeformation(const Control& control) {
   };
   std::vector<Equation> equations;
   Eigen::Index values = 0;
-  for (const ControlRow& row : control.rows) values += row.prescribes_deformation() ? 1 : 0;
+  for (const ControlRow& row : control.rows) values += row.is_linear_in_q() ? 1 : 0;
   const auto add = [&](const Tensor& left, Eigen::Index value, int row) {
     Equation equation{row_of(left), Eigen::VectorXd::Zero(values), row, -1, left.cwiseAbs().maxCoeff()};
     if (value >= 0) equation.right(value) = 1;
@@ -78,7 +81,7 @@ FreeDeformation::FreeDeformation(const Control& control) {
   }
   Eigen::Index value = 0;
   for (std::size_t k = 0; k < control.rows.size(); ++k) {
-    if (control.rows[k].prescribes_deformation()) add(control.rows[k].deformation, value++, static_cast<int>(k));
+    if (control.rows[k].is_linear_in_q()) add(control.rows[k].deformation, value++, static_cast<int>(k));
   }
   std::array<bool, 9> taken{};
   for (Equation& equation : equations) {

@@ -26,20 +26,22 @@ enum class StressMeasure {
   first_piola_kirchhoff  ///< P = J sigma F^-T; first index spatial
 };
 
-/// One equation: deformation : q + stress : s = value(t), products over all nine components.
-struct ControlRow {
-  Tensor deformation = Tensor::Zero();
-  Tensor stress = Tensor::Zero();
-  /// after: where it jumps at t, its value behind the jump, else that before.
-  std::function<double(double t, bool after)> value;
-
-  bool prescribes_deformation() const { return stress.isZero(0); }
-};
-
-/// A quantity of a point, as a row without its value.
+/// A quantity of a point: deformation : q + stress : s + ln_J ln J + J J, with J = det F, products over all nine
+/// components.
 struct ControlQuantity {
   Tensor deformation = Tensor::Zero();
   Tensor stress = Tensor::Zero();
+  double ln_J = 0, J = 0;
+
+  /// Whether it is linear in q: then it prescribes a part of q, to the bit.
+  bool is_linear_in_q() const { return stress.isZero(0) && ln_J == 0 && J == 0; }
+  bool has_stress() const { return !stress.isZero(0); }
+};
+
+/// One equation: the quantity is value(t).
+struct ControlRow : ControlQuantity {
+  /// after: where it jumps at t, its value behind the jump, else that before.
+  std::function<double(double t, bool after)> value;
 };
 
 /// Where a history ends before its time.
@@ -85,10 +87,9 @@ Tensor gradient_of(Deformation deformation, const Tensor& F0, const Tensor& q0, 
 Tensor stress_in(StressMeasure measure, const Tensor& cauchy, const Tensor& F);
 Tensor cauchy_of(StressMeasure measure, const Tensor& s, const Tensor& F);
 
-/// Of the components A : q + B : s.
 double value_of(const ControlQuantity& quantity, const ControlledPoint& point);
 
-/// The deformation that the rows without stress leave free: q = particular(t) + free z.
+/// The deformation that the rows linear in q leave free: q = particular(t) + free z.
 class FreeDeformation {
  public:
   /// Throws ControlError where these rows contradict or repeat each other.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "harness/control/controlled_march.hpp"
 
@@ -53,7 +54,7 @@ ControlledPoint ControlledMarch::unpacked(const std::vector<double>& y, double t
   return point;
 }
 
-/// All components of one tensor or variable share their scale.
+/// All components of one tensor or variable share their scale. Rounding of what is zero is no error.
 void ControlledMarch::widen_scales(const ControlledPoint& point) {
   const std::vector<double> y = packed(point);
   std::size_t begin = 0;
@@ -73,8 +74,10 @@ void ControlledMarch::widen_scales(const ControlledPoint& point) {
   share(1, least_stress * steps_.modulus() * strain * strain, y);
   if (control_.deformation == Deformation::velocity_gradient) share(9, 1, y);
   for (std::uint32_t v = 0; v < material_.table().state_count; ++v) {
-    share(static_cast<std::size_t>(components_of_kind(material_.table().state[v].kind)),
-          std::numeric_limits<double>::min(), y);
+    const assay_state_variable& variable = material_.table().state[v];
+    const bool is_stress = variable.unit && std::string_view(variable.unit) == "Pa";
+    share(static_cast<std::size_t>(components_of_kind(variable.kind)),
+          is_stress ? least_stress * steps_.modulus() * strain : least_strain * strain, y);
   }
   const double stress = steps_.modulus() / scales_[9];
   noise_ = std::min(most_noise, std::max({1.0, 1 / strain, stress}) / rest_condition_);

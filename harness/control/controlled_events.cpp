@@ -28,7 +28,10 @@ constexpr double golden = 0.381966011250105;
 
 /// The matrix at rest, and the stiffness.
 void ControlledMarch::look_at_rest() {
-  const ControlMatrix matrix = steps_.matrix_at(now_, rest_step * control_.length(), now_);
+  const bool by_increments = options_.increments > 0 && control_.begin() >= options_.increments_from;
+  const double increment = (control_.knots[1] - control_.knots[0]) / std::max(1, options_.increments);
+  const double dt = by_increments ? increment : rest_step * control_.length();
+  const ControlMatrix matrix = steps_.matrix_at(now_, dt, steps_.held(now_, dt).value_or(now_));
   rest_condition_ = matrix.condition();
   rest_determinant_ = std::abs(matrix.determinant);
   if (!(rest_condition_ > undetermined)) {

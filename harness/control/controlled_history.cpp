@@ -89,6 +89,12 @@ void ControlledMarch::shorten(const Piece& piece, double step, const Attempt& ma
 
 void ControlledMarch::advance(const Piece& piece, double to) {
   while (at_ < to && !ended_) {
+    if (options_.ends && options_.ends()) {
+      history_.outcome = ControlOutcome::interrupted;
+      history_.reason = "interrupted";
+      ended_ = true;
+      return;
+    }
     if (steps_.calls() - calls_before_ > options_.most_calls && !coarse_) {
       history_.outcome = ControlOutcome::out_of_calls;
       history_.reason = "it takes more than " + std::to_string(options_.most_calls) + " calls of the model";
@@ -125,7 +131,7 @@ bool ControlledMarch::jumps_at(double t, std::vector<double>& before, std::vecto
   constexpr double same = 1e-14;
   bool any = false;
   for (const ControlRow& row : control_.rows) {
-    before.push_back(t == control_.begin() ? value_of({row.deformation, row.stress}, now_) : row.value(t, false));
+    before.push_back(t == control_.begin() ? value_of(row, now_) : row.value(t, false));
     behind.push_back(row.value(t, true));
     const double scale = std::max({1.0, std::abs(before.back()), row.stress.cwiseAbs().maxCoeff() * steps_.modulus()});
     any = any || std::abs(behind.back() - before.back()) > same * scale;

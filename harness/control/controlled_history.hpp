@@ -23,9 +23,11 @@ enum class ControlOutcome {
   undetermined,     ///< the rows leave a deformation free
   material_failed,  ///< the model refuses
   out_of_calls,     ///< it would take more calls of the model than are allowed
+  interrupted,      ///< whoever watches its progress has ended it
 };
-constexpr std::array<const char*, 7> names_of(ControlOutcome) {
-  return {"completed", "stopped", "limit_load", "no_solution", "undetermined", "material_failed", "out_of_calls"};
+constexpr std::array<const char*, 8> names_of(ControlOutcome) {
+  return {"completed",    "stopped",         "limit_load",   "no_solution",
+          "undetermined", "material_failed", "out_of_calls", "interrupted"};
 }
 
 struct ControlOptions {
@@ -38,6 +40,8 @@ struct ControlOptions {
   bool rows_at_kinks = false;                       ///< also where the regime of the material changes
   std::int64_t most_calls = 2'000'000;              ///< of the material, by points
   std::function<void(double share)> progress = {};  ///< told of the share of the time that is done
+  /// Asked between steps: the history ends where it is. Null: it goes on.
+  std::function<bool()> ends = {};
 };
 
 struct ControlledRow : ControlledPoint {

@@ -22,18 +22,20 @@ constexpr double good_progress = 0.1;  ///< of a residual by one iteration: the 
 constexpr double standstill = 0.5;     ///< of a residual: no progress
 constexpr int most_halvings = 12;      ///< of an iteration that would make the residual larger
 constexpr double sufficient = 1e-4;    ///< share of the decrease that a linear function would have
-constexpr double largest_difference = 1e-7, least_difference = 1e-11;  ///< of q
-constexpr double difference_share = 1e-2;                              ///< of the change of q over the step
-constexpr double longest_iteration = 0.3;                              ///< largest change of q by one iteration
+constexpr double largest_difference = 1e-7, usual_least_difference = 1e-11;  ///< of q
+constexpr double deaf = 0.5;               ///< of the stiffness at rest: an increment that a model answers with less
+constexpr double heard_again = 100;        ///< times such an increment: one that it answers
+constexpr double difference_share = 1e-2;  ///< of the change of q over the step
+constexpr double longest_iteration = 0.3;  ///< largest change of q by one iteration
 
 }  // namespace
 
 ControlledSteps::ControlledSteps(const Material& material, const Control& control)
-    : material_(material), control_(control), free_(control) {
+    : material_(material), control_(control), free_(control), least_difference_(usual_least_difference) {
   for (std::size_t k = 0; k < control.rows.size(); ++k) {
-    if (!control.rows[k].prescribes_deformation()) stress_rows_.push_back(k);
+    if (!control.rows[k].is_linear_in_q()) solved_rows_.push_back(k);
   }
-  if (static_cast<int>(stress_rows_.size()) != free_.count()) {
+  if (static_cast<int>(solved_rows_.size()) != free_.count()) {
     throw ControlError("there are " + std::to_string(control.rows.size()) + " rows for " +
                            std::to_string(control.unknowns()) + " components of the deformation",
                        -1);
@@ -57,17 +59,34 @@ ControlledSteps::ControlledSteps(const Material& material, const Control& contro
   }
   if (largest > 0) modulus_ = largest;
   rounding_ = std::clamp(rounding_margin * roughest / modulus_, least_rounding, largest_rounding);
+  find_grain(rest, dt);
 }
 
-ControlledPoint ControlledSteps::at_rest() const {
-  if (control_.start) return *control_.start;
+/// A model that solves equations of its own to a tolerance answers no smaller increment.
+void ControlledSteps::find_grain(const ControlledPoint& rest, double dt) {
+  Tensor along = Tensor::Zero();
+  along(0, 0) = 1;
+  const auto stiffness = [&](double by) {
+    const auto found = end(rest, dt, rest.q + by * along);
+    return found ? largest_of(found->s - rest.s) / by : 0;
+  };
+  const double usual = stiffness(probe);
+  double grain = 0;
+  for (double by = usual_least_difference; by < 0.5 * probe && stiffness(by) < deaf * usual; by *= 10) grain = by;
+  if (grain == 0) return;
+  least_difference_ = heard_again * grain;
+  rounding_ = std::clamp(grain, rounding_, largest_rounding);
+}
+
+ControlledPoint point_at_rest(const Material& material, const Control& control) {
+  if (control.start) return *control.start;
   ControlledPoint rest;
-  rest.t = control_.begin();
-  rest.q = deformation_at_rest(control_.deformation);
-  rest.s = control_.initial_cauchy;
-  const bool stressed = !control_.initial_cauchy.isZero(0);
-  const auto nine = nine_of(control_.initial_cauchy);
-  rest.state = material_.initial_state(1, stressed ? std::span<const double>(nine) : std::span<const double>());
+  rest.t = control.begin();
+  rest.q = deformation_at_rest(control.deformation);
+  rest.s = control.initial_cauchy;
+  const bool stressed = !control.initial_cauchy.isZero(0);
+  const auto nine = nine_of(control.initial_cauchy);
+  rest.state = material.initial_state(1, stressed ? std::span<const double>(nine) : std::span<const double>());
   return rest;
 }
 
@@ -124,17 +143,17 @@ Eigen::VectorXd ControlledSteps::residuals(const ControlledPoint& point, const s
   Vector residual(static_cast<Eigen::Index>(control_.rows.size()));
   for (std::size_t k = 0; k < control_.rows.size(); ++k) {
     const ControlRow& row = control_.rows[k];
-    const double scale = row.prescribes_deformation() ? 1 : modulus_ * row.stress.cwiseAbs().maxCoeff();
-    residual(static_cast<Eigen::Index>(k)) = (value_of({row.deformation, row.stress}, point) - values[k]) / scale;
+    const double scale = row.has_stress() ? modulus_ * row.stress.cwiseAbs().maxCoeff() : 1;
+    residual(static_cast<Eigen::Index>(k)) = (value_of(row, point) - values[k]) / scale;
   }
   return residual;
 }
 
 Eigen::VectorXd ControlledSteps::free_residuals(const ControlledPoint& point, const std::vector<double>& values) const {
   const Vector all = residuals(point, values);
-  Vector chosen(static_cast<Eigen::Index>(stress_rows_.size()));
-  for (std::size_t k = 0; k < stress_rows_.size(); ++k)
-    chosen(static_cast<Eigen::Index>(k)) = all(static_cast<Eigen::Index>(stress_rows_[k]));
+  Vector chosen(static_cast<Eigen::Index>(solved_rows_.size()));
+  for (std::size_t k = 0; k < solved_rows_.size(); ++k)
+    chosen(static_cast<Eigen::Index>(k)) = all(static_cast<Eigen::Index>(solved_rows_[k]));
   return chosen;
 }
 
@@ -142,7 +161,8 @@ Eigen::VectorXd ControlledSteps::free_residuals(const ControlledPoint& point, co
 double ControlledSteps::difference(const ControlledPoint& begin, const Tensor& q, int k) const {
   const double change = free_.coordinate(q, k) - free_.coordinate(begin.q, k);
   const double step = (q - begin.q).cwiseAbs().maxCoeff();
-  const double size = std::clamp(difference_share * step, least_difference, largest_difference);
+  const double size =
+      std::clamp(difference_share * step, least_difference_, std::max(largest_difference, least_difference_));
   return change < 0 ? -size : size;
 }
 
@@ -169,7 +189,7 @@ SolvedStep ControlledSteps::solve(const ControlledPoint& begin, double dt, const
   SolvedStep solved;
   std::vector<double> prescribed;
   for (std::size_t k = 0; k < control_.rows.size(); ++k) {
-    if (control_.rows[k].prescribes_deformation()) prescribed.push_back(values[k]);
+    if (control_.rows[k].is_linear_in_q()) prescribed.push_back(values[k]);
   }
   const auto q_of = [&](const Vector& z) {
     Tensor q = free_.particular(prescribed);

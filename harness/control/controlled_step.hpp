@@ -39,17 +39,22 @@ struct ControlMatrix {
   double condition() const { return smallest / largest; }
 };
 
+/// The point at rest under the initial stress, or where the control begins. Throws CannotBegin.
+ControlledPoint point_at_rest(const Material& material, const Control& control);
+
 class ControlledSteps {
  public:
   /// Throws ControlError where rows and unknowns do not match, or need a component that the material does not take;
   /// MaterialFailure where the material fails at rest.
   ControlledSteps(const Material& material, const Control& control);
 
-  /// The point at rest under the initial stress, or where the control begins.
-  ControlledPoint at_rest() const;
+  ControlledPoint at_rest() const { return point_at_rest(material_, control_); }
 
   /// From `begin` over dt, to the values of the rows; `guess`: of q at the end.
   SolvedStep solve(const ControlledPoint& begin, double dt, const std::vector<double>& values, const Tensor& guess);
+
+  /// From `begin` over dt without deformation: a material may relax. Nothing where it refuses.
+  std::optional<ControlledPoint> held(const ControlledPoint& begin, double dt) { return end(begin, dt, begin.q); }
 
   /// About the end of a step that was solved, or the last that was tried.
   ControlMatrix matrix_at(const ControlledPoint& begin, double dt, const ControlledPoint& end);
@@ -74,14 +79,16 @@ class ControlledSteps {
   bool find_matrix(const ControlledPoint& begin, double dt, const ControlledPoint& at,
                    const std::vector<double>& values, const Vector& residual);
   double difference(const ControlledPoint& begin, const Tensor& q, int k) const;
+  void find_grain(const ControlledPoint& rest, double dt);
 
   const Material& material_;
   const Control& control_;
   FreeDeformation free_;
-  std::vector<std::size_t> stress_rows_;  ///< rows with stress
+  std::vector<std::size_t> solved_rows_;  ///< rows that Newton's method meets: of stress, and of J
   double modulus_ = 1;
-  double rounding_ = 0;   ///< of the material, in strains: a residual that stands still below it is solved
-  double dt_factor_ = 1;  ///< of the last call
+  double least_difference_;  ///< of q, that the material answers
+  double rounding_ = 0;      ///< of the material, in strains: a residual that stands still below it is solved
+  double dt_factor_ = 1;     ///< of the last call
   std::int64_t calls_ = 0;
   std::optional<MaterialFailure> failure_;
   Eigen::MatrixXd matrix_;  ///< kept from step to step

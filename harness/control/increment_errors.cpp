@@ -41,9 +41,13 @@ double relative_difference(const ControlledHistory& one, const ControlledHistory
 }  // namespace
 
 std::vector<IncrementError> increment_errors(const Material& material, const Control& control,
-                                             std::span<const int> increments) {
+                                             std::span<const int> increments,
+                                             const std::function<void(double share)>& progress) {
   ControlOptions options;
   options.watch_ellipticity = false;
+  const auto histories = static_cast<double>(increments.size() + 1);
+  double done = 0;
+  if (progress) options.progress = [&](double share) { progress((done + share) / histories); };
   const ControlledHistory solution = follow_control(material, control, control.knots, options);
   if (solution.outcome != ControlOutcome::completed) throw std::runtime_error(solution.reason);
   double stress = 0, change = 0;
@@ -54,6 +58,7 @@ std::vector<IncrementError> increment_errors(const Material& material, const Con
   std::vector<IncrementError> all;
   for (const int count : increments) {
     options.increments = count;
+    ++done;
     const Stopwatch watch;
     const ControlledHistory found = follow_control(material, control, control.knots, options);
     IncrementError error{count, 0, 0, found.calls, watch.seconds() / static_cast<double>(found.calls), found.outcome};

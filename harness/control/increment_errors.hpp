@@ -22,7 +22,8 @@ struct IncrementError {
 /// For each number of increments. Throws as follow_control; std::runtime_error where the solution itself does not reach
 /// the end.
 std::vector<IncrementError> increment_errors(const Material& material, const Control& control,
-                                             std::span<const int> increments);
+                                             std::span<const int> increments,
+                                             const std::function<void(double share)>& progress = {});
 
 /// Errors of one increment of strain, over the plane of two principal strains: face 3 is free of stress.
 struct IsoErrorChoice {

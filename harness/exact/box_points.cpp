@@ -127,6 +127,7 @@ class StencilHistories {
       const Vector3& of = stencil.cosines(k);
       auto path = std::make_unique<Path>(model.motion.section(of.y(), of.z()));
       path->material_direction = model.options.direction;
+      path->initial_cauchy = model.options.initial_cauchy;
       path->parameter.lower = std::min(path->parameter.lower, of.x());
       path->parameter.upper = std::max(1.0, of.x());
       auto course = std::make_unique<Course>(*model.material, *path, model.options.end);
@@ -157,6 +158,7 @@ class MarchingPlaces final : public ExactPlaces {
     const auto& now = static_cast<const BoxSlice&>(slice);
     for (std::size_t p = first; p < first + count; ++p) {
       ExactPoint point{now.state(X(p)), {}};
+      point.stress.first_piola_kirchhoff = point.stress.cauchy = now.model.options.initial_cauchy;
       if (out.any_stress() && now.t > 0) {
         March& march = marches_[p];
         const std::lock_guard lock(march.mutex);

@@ -53,6 +53,7 @@ void BoxStress::lay_out(int modes_wanted, double end) {
   for (const double s : chebyshev::gauss_nodes(modes[1])) {
     sections_.push_back(std::make_unique<Path>(motion_.section(2 * s - 1)));
     sections_.back()->material_direction = options_.direction;
+    sections_.back()->initial_cauchy = options_.initial_cauchy;
   }
   for (auto& values : series_.coefficients_) values.assign(n, 0);
   if (material_->is_function_of_F()) {

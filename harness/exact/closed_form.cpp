@@ -14,6 +14,7 @@ std::optional<ClosedForm> ClosedForm::of(std::shared_ptr<const Material> materia
                                                         : 0;
   if (!form || baseline == 0) return std::nullopt;
   if (path.material_direction != std::array<double, 3>{1, 0, 0}) return std::nullopt;  // a form knows only this one
+  if (!path.initial_cauchy.isZero(0)) return std::nullopt;                             // and begins without stress
   const double eps = 0;
   double tau[9], dtau[9];
   if (form(baseline, 1, &eps, tau, dtau) == ASSAY_FAILED) return std::nullopt;

@@ -210,8 +210,10 @@ class ExactSolution {
 
 using ExactSolutionPtr = std::shared_ptr<const ExactSolution>;
 
-/// Of a polar motion. Without a response it knows the motion alone.
-ExactSolutionPtr exact_polar(const Motion& motion, double density, std::shared_ptr<const Response> response);
+/// Of a polar motion. Without a response it knows the motion alone. initial_cauchy: at rest, everywhere, with equal
+/// components 11 and 22 and no shear [Pa].
+ExactSolutionPtr exact_polar(const Motion& motion, double density, std::shared_ptr<const Response> response,
+                             const Tensor& initial_cauchy = Tensor::Zero());
 
 /// Of the vortex in three dimensions. Without a response it knows the motion alone: b = a.
 ExactSolutionPtr exact_meridian(const Vortex3d& motion, double density, std::shared_ptr<const Response> response);
@@ -229,6 +231,7 @@ struct BoxOptions {
   double tolerance = 1e-6;                      ///< of P, relative to the largest
   double end = 1;                               ///< last time that is asked for [s]
   std::array<double, 3> direction = {1, 0, 0};  ///< of the material, along the axes
+  Tensor initial_cauchy = Tensor::Zero();       ///< at rest, diagonal [Pa]
   int most_modes = 64;                          ///< in each direction
 };
 

@@ -62,7 +62,7 @@ ReferenceDomains domains_of(const ExactPoints& points, const Annulus& ring) {
 
 class PolarInstant final : public ExactInstant {
  public:
-  PolarInstant(const Motion& motion, double density, std::shared_ptr<const Response> response,
+  PolarInstant(const Motion& motion, double density, std::shared_ptr<const Response> response, double rest,
                const ExactPoints& points, const Asked& asked)
       : ExactInstant(points.X, points.Y),
         motion_(motion),
@@ -71,7 +71,7 @@ class PolarInstant final : public ExactInstant {
         asked_(asked) {
     if (points.averages()) {
       const ReferenceDomains domains = domains_of(points, motion_->polar()->ring());
-      if (asked.force) average_.emplace(motion_, density, domains);
+      if (asked.force) average_.emplace(motion_, density, domains, gauss_rule<2>(), rest);
       if (asked.motion) means_.emplace(motion_, domains);
     }
     if (average_ && !asked.motion && !asked.stress && !asked.inertia) return;  // then nothing is at points
@@ -236,15 +236,15 @@ class PolarInstant final : public ExactInstant {
 
 class PolarSolution final : public ExactSolution {
  public:
-  PolarSolution(const Motion& motion, double density, std::shared_ptr<const Response> response)
-      : ExactSolution(motion, density), response_(std::move(response)) {}
+  PolarSolution(const Motion& motion, double density, std::shared_ptr<const Response> response, double rest)
+      : ExactSolution(motion, density), response_(std::move(response)), rest_(rest) {}
 
   std::unique_ptr<const ExactSlice> slice(double t) const override { return slice_of_ring(*this, density_, t); }
   std::unique_ptr<const ExactPlaces> places(std::vector<Vector3> X) const override {
     return places_of_ring(motion_, std::move(X));
   }
   std::unique_ptr<ExactInstant> instant(const ExactPoints& points, const Asked& asked) const override {
-    return std::make_unique<PolarInstant>(motion_, density_, response_, points, asked);
+    return std::make_unique<PolarInstant>(motion_, density_, response_, rest_, points, asked);
   }
   bool is_axisymmetric() const override { return true; }
   const Response* response() const override { return response_.get(); }
@@ -258,12 +258,14 @@ class PolarSolution final : public ExactSolution {
 
  private:
   std::shared_ptr<const Response> response_;
+  double rest_;  ///< stress in the plane at rest [Pa]
 };
 
 }  // namespace
 
-ExactSolutionPtr exact_polar(const Motion& motion, double density, std::shared_ptr<const Response> response) {
-  return std::make_shared<const PolarSolution>(motion, density, std::move(response));
+ExactSolutionPtr exact_polar(const Motion& motion, double density, std::shared_ptr<const Response> response,
+                             const Tensor& initial_cauchy) {
+  return std::make_shared<const PolarSolution>(motion, density, std::move(response), initial_cauchy(0, 0));
 }
 
 }  // namespace assay

@@ -15,17 +15,19 @@ namespace {
 /// A front this close to an edge's end [relative to ro] is at its end.
 constexpr double front_snap = 1e-12;
 
-/// S = Q(g h) tau at radii first to last - 1 of n; tau[c * n + i].
-ASSAY_VECTOR_CLONES void rotate(double g, const double* __restrict h, const double* __restrict tau, std::size_t n,
-                                std::size_t first, std::size_t last, PolarAverage::Rotated* __restrict out) {
+/// S = Q(g h) tau - rest I at radii first to last - 1 of n; tau[c * n + i]. A uniform stress has no resultant on a
+/// closed boundary, and without it S is zero outside the ring, where no edge is integrated.
+ASSAY_VECTOR_CLONES void rotate(double g, double rest, const double* __restrict h, const double* __restrict tau,
+                                std::size_t n, std::size_t first, std::size_t last,
+                                PolarAverage::Rotated* __restrict out) {
   const double *t11 = tau, *t12 = t11 + n, *t21 = t12 + n, *t22 = t21 + n;
   for (std::size_t i = first; i < last; ++i) {
     double c = 1, s = 0;
     sine_cosine(g * h[i], s, c);
-    out[i].s11 = c * t11[i] - s * t21[i];
+    out[i].s11 = c * t11[i] - s * t21[i] - rest;
     out[i].s12 = c * t12[i] - s * t22[i];
     out[i].s21 = s * t11[i] + c * t21[i];
-    out[i].s22 = s * t12[i] + c * t22[i];
+    out[i].s22 = s * t12[i] + c * t22[i] - rest;
   }
 }
 
@@ -38,8 +40,9 @@ double nearest_radius(const Point& a, const Point& b) {
 }  // namespace
 
 PolarAverage::PolarAverage(const Motion& motion, double density, const ReferenceDomains& domains,
-                           std::span<const GaussPoint> rule)
+                           std::span<const GaussPoint> rule, double rest)
     : motion_(motion),
+      rest_(rest),
       rule_(rule.begin(), rule.end()),
       radii_of_xi_(motion->polar()->radii_of_parameter()),
       places_(domains.places),
@@ -191,7 +194,7 @@ std::vector<PolarAverage::Rotated> PolarAverage::rotated_at(const ResponseAtTime
   }
   response.plane_tau(xi, tau, in_one_piece);
   std::vector<Rotated> S(n);
-  rotate(g, h.data(), tau.data(), n, 0, n, S.data());
+  rotate(g, rest_, h.data(), tau.data(), n, 0, n, S.data());
   return S;
 }
 
@@ -211,7 +214,7 @@ void PolarAverage::evaluate(const ResponseAtTime& response, double t, std::span<
   const AmplitudeValue g = motion_->polar()->turn().at(t);
   response.plane_tau(xi_, tau_, pieces);
   pieces(xi_.size(), [&](std::size_t begin, std::size_t end) {
-    rotate(g.value, h_.data(), tau_.data(), xi_.size(), begin, end, rotated_.data());
+    rotate(g.value, rest_, h_.data(), tau_.data(), xi_.size(), begin, end, rotated_.data());
   });
   pieces(edges_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {

@@ -51,9 +51,10 @@ class PolarAverage {
     double s11 = 0, s12 = 0, s21 = 0, s22 = 0;
   };
 
-  /// density: rho0 [kg/m^3]; rule: of each straight piece.
+  /// density: rho0 [kg/m^3]; rule: of each straight piece; rest: stress in the
+  /// plane at rest [Pa].
   PolarAverage(const Motion& motion, double density, const ReferenceDomains& domains,
-               std::span<const GaussPoint> rule = gauss_rule<2>());
+               std::span<const GaussPoint> rule = gauss_rule<2>(), double rest = 0);
 
   /// Writes b_avg [m/s^2] of each particle at the time of the response. Allocates nothing where there are no fronts.
   void evaluate(const ResponseAtTime& response, double t, std::span<double> b_x, std::span<double> b_y,
@@ -100,6 +101,7 @@ class PolarAverage {
   void force_on(std::size_t shape);
 
   Motion motion_;
+  double rest_;  ///< stress in the plane, of which the outside is full, too [Pa]
   std::vector<GaussPoint> rule_;
   std::function<std::vector<double>(double)> radii_of_xi_;
   std::vector<ReferenceDomains::Place> places_;

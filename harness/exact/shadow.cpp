@@ -86,7 +86,7 @@ void Shadow::begin() {
     troops_.emplace_back(*course_, std::move(xi), history, n);
   }
   t_ = 0;
-  curve_ = std::make_shared<const ShadowCurve>(xi_, std::vector<Tensor>(xi_.size(), Tensor::Zero()), ways());
+  curve_ = std::make_shared<const ShadowCurve>(xi_, std::vector<Tensor>(xi_.size(), path_.initial_cauchy), ways());
 }
 
 void Shadow::advance(double t) {

@@ -20,7 +20,7 @@ class UniformStress {
                 double tolerance)
       : material_(std::move(material)), path_(path), own_(own), panel_(period / panels_a_period) {
     if (material_->is_function_of_F()) {
-      state_ = material_->initial_state(1, {}, path_.material_direction);
+      state_ = state_at_rest(*material_, path_);
     } else {
       course_.emplace(*material_, path_, end);
       options_ = {.tolerance = tolerance, .watch = material_->has(ASSAY_NON_SMOOTH)};

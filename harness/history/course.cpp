@@ -35,7 +35,8 @@ class Marcher {
  public:
   Marcher(const Material& material, const Path& path, double xi, CoarseMarch& seen)
       : material_(material), path_(path), xi_(xi), seen_(seen) {
-    state0_ = material.initial_state(1, {}, path.material_direction);
+    state0_ = state_at_rest(material, path);
+    cauchy0_ = nine_of(path.initial_cauchy);
     state1_.resize(state0_.size());
     F_ = path.deformation_gradient(xi, 0);
   }

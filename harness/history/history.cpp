@@ -18,9 +18,17 @@ constexpr std::int64_t most_refusals = 1000;
 
 }  // namespace
 
+std::vector<double> state_at_rest(const Material& material, const Path& path) {
+  const auto nine = nine_of(path.initial_cauchy);
+  const bool stressed = !path.initial_cauchy.isZero(0);
+  return material.initial_state(1, stressed ? std::span<const double>(nine) : std::span<const double>(),
+                                path.material_direction);
+}
+
 History::History(const Course& course, double xi, const HistoryOptions& options) : course_(&course), xi_(xi) {
-  const std::vector<double> state = course.material->initial_state(1, {}, course.path->material_direction);
-  y_.assign(9, 0.0);
+  const std::vector<double> state = state_at_rest(*course.material, *course.path);
+  const auto nine = nine_of(course.path->initial_cauchy);
+  y_.assign(nine.begin(), nine.end());
   y_.insert(y_.end(), state.begin(), state.end());
   if (course.by_rate) {
     rates_ = std::make_unique<Rates>(*this, options);

@@ -18,6 +18,9 @@
 
 namespace assay {
 
+/// Of one point of a path, under its initial stress. Throws CannotBegin, ModelThrew.
+std::vector<double> state_at_rest(const Material& material, const Path& path);
+
 /// What coarse marches through a path have seen of the variables of a material's state, in declared order.
 struct StateSigns {
   StateSigns() = default;

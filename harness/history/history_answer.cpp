@@ -52,6 +52,7 @@ void HistoryTasks::renew_path(const PathFacts& facts) {
   if (path_.recipe.empty() || path_.recipe != facts.recipe) path_ = path_of_recipe(facts.recipe);
   path_.parameter = facts.parameter;
   path_.material_direction = facts.direction;
+  path_.initial_cauchy = tensor_of(facts.initial_cauchy.data());
 }
 
 std::vector<double> HistoryTasks::result(std::span<const double> task) {

@@ -19,6 +19,7 @@ struct PathFacts {
   std::vector<double> recipe = {};
   Interval parameter = {};
   std::array<double, 3> direction = {};
+  std::array<double, 9> initial_cauchy = {};
 };
 
 /// An exception on its way: a MaterialFailure, or another.
@@ -31,6 +32,7 @@ struct FailureFacts {
 void fields(auto& archive, Interval& interval) { archive(interval.lower, interval.upper); }
 void fields(auto& archive, PathFacts& facts) {
   archive(facts.recipe, facts.parameter, facts.direction[0], facts.direction[1], facts.direction[2]);
+  for (double& component : facts.initial_cauchy) archive(component);
 }
 void fields(auto& archive, HistoryScales& scales) { archive(scales.cauchy, scales.state); }
 void fields(auto& archive, ShortestTelling& shortest) { archive(shortest.norm, shortest.stress); }

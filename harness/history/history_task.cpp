@@ -12,7 +12,9 @@ namespace {
 
 using Kind = HistoryTaskKind;
 
-PathFacts facts_of_path(const Path& path) { return {path.recipe, path.parameter, path.material_direction}; }
+PathFacts facts_of_path(const Path& path) {
+  return {path.recipe, path.parameter, path.material_direction, nine_of(path.initial_cauchy)};
+}
 
 CourseFacts facts_of_course(const Course& course) { return course; }
 

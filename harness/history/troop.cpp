@@ -11,7 +11,8 @@ Troop::Troop(const Course& course, std::vector<double> xi, const HistoryOptions&
     : course_(&course), xi_(std::move(xi)) {
   if (course.elsewhere) {
     advance_there_ = course.elsewhere->gather(course.material->self(), course, xi_, options, worker);
-    there_.assign(xi_.size(), HistoryTrail{.rows = std::vector<double>(9)});
+    const auto at_rest = nine_of(course.path->initial_cauchy);
+    there_.assign(xi_.size(), HistoryTrail{.rows = {at_rest.begin(), at_rest.end()}});
     return;
   }
   for (const double place : xi_) here_.push_back(std::make_unique<History>(course, place, options));

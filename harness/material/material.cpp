@@ -140,8 +140,9 @@ Material::Material(const assay_material* table, InDeclaredOrder parameters, doub
       handed_over_(parameters_),
       pace_(pace),
       self_(nullptr, destroy_instance) {
-  for (std::uint32_t i = 0; i < table->state_count; ++i) {
-    state_size_ += static_cast<std::size_t>(components_of_kind(table->state[i].kind));
+  for (const StatePlace& place : state_of(*table)) {
+    state_size_ = place.end();
+    if (place.role == ASSAY_ROLE_FIELD) fields_.push_back({place.first, place.name});
   }
   char message[ASSAY_MESSAGE_SIZE] = "";
   reset_arithmetic();  // a library that was linked with -ffast-math changes it when it is loaded
@@ -157,6 +158,32 @@ Material::Material(const assay_material* table, InDeclaredOrder parameters, doub
     throw std::runtime_error("material '" + name() + "' could not be created" +
                              (message[0] ? ": " + std::string(message) : std::string()));
   }
+}
+
+Material Material::clone() const {
+  Material other(table_, InDeclaredOrder{parameters_}, pace_);
+  other.fields_ = fields_, other.fields_begin_ = fields_begin_;
+  return other;
+}
+
+void Material::prescribe(const std::map<std::string, FieldOfTime>& fields, double begin) {
+  for (const auto& [name, value] : fields) {
+    const auto own = std::ranges::find(fields_, name, &Field::name);
+    if (own == fields_.end()) {
+      std::string known;
+      for (const std::string& each : this->fields()) known += (known.empty() ? "" : ", ") + each;
+      throw KeyedError(name, "material '" + this->name() + "' has no field of that name",
+                       known.empty() ? "none" : known);
+    }
+    own->value = value;
+  }
+  fields_begin_ = begin;
+}
+
+std::vector<std::string> Material::fields() const {
+  std::vector<std::string> names;
+  for (const Field& field : fields_) names.push_back(field.name);
+  return names;
 }
 
 double Material::parameter(const std::string& name) const {
@@ -196,11 +223,14 @@ std::vector<double> Material::initial_state(std::size_t n, std::span<const doubl
     if (place.role == ASSAY_ROLE_DIRECTION && place.kind == ASSAY_VECTOR)
       fill_direction(rank++, n, direction, &state[place.first * n]);
   }
+  for (const Field& field : fields_) {
+    if (field.value) std::fill_n(&state[field.component * n], n, field.value(fields_begin_));
+  }
   return state;
 }
 
 bool Material::is_function_of_F() const {
-  if (has(ASSAY_USES_INCREMENT) || has(ASSAY_RATE_DEPENDENT)) return false;
+  if (!fields_.empty() || has(ASSAY_USES_INCREMENT) || has(ASSAY_RATE_DEPENDENT)) return false;
   return std::all_of(table_->state, table_->state + table_->state_count,
                      [](const assay_state_variable& variable) { return variable.role == ASSAY_ROLE_DIRECTION; });
 }

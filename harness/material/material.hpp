@@ -2,6 +2,7 @@
 // The host's one handle on a material: a C table of the ABI, an instance, and its batched update.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -72,6 +73,9 @@ struct UpdateReport {
   std::string message;          ///< the material's own words, where not good
 };
 
+/// A field of the surroundings, as temperature, as a function of the time [s].
+using FieldOfTime = std::function<double(double t)>;
+
 /// Value semantics of a unique owner; `clone` makes another instance, one per thread where the model needs it.
 class Material {
  public:
@@ -80,7 +84,13 @@ class Material {
   /// pace: what the model is told of times and lengths of steps is so many times as long [1].
   Material(const assay_material* table, const std::map<std::string, double>& parameters, double pace = 1);
 
-  Material clone() const { return Material(table_, InDeclaredOrder{parameters_}, pace_); }
+  Material clone() const;
+
+  /// Fields (ASSAY_ROLE_FIELD) that follow the time from now on, by name; a history begins at `begin`. What is not
+  /// among them keeps the value that it has at the beginning. Throws KeyedError: the model has no such field.
+  void prescribe(const std::map<std::string, FieldOfTime>& fields, double begin = 0);
+  /// Names of its fields, in declared order.
+  std::vector<std::string> fields() const;
 
   const assay_material& table() const { return *table_; }
   std::string name() const { return table_->name; }
@@ -108,7 +118,7 @@ class Material {
   std::vector<double> initial_state(std::size_t n, std::span<const double> cauchy = {},
                                     std::span<const double> direction = {}) const;
 
-  /// The ABI's update, at the material's pace; n <= ASSAY_BATCH_MAX, pointers as there.
+  /// The ABI's update, at the material's pace, with the fields at t + dt; n <= ASSAY_BATCH_MAX, pointers as there.
   UpdateReport update(double t, double dt, std::size_t n, const double* F0, const double* F1, const double* state0,
                       double* state1, double* cauchy) const;
 
@@ -133,6 +143,13 @@ class Material {
   std::vector<double> parameters_, handed_over_;  ///< the latter to the model, which is not trusted
   std::size_t state_size_ = 0;
   double pace_;
+  struct Field {
+    std::size_t component;
+    std::string name;
+    FieldOfTime value = {};  ///< none: it keeps its value
+  };
+  std::vector<Field> fields_ = {};
+  double fields_begin_ = 0;
   std::unique_ptr<void, void (*)(void*)> self_;
 };
 

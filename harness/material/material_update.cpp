@@ -61,6 +61,14 @@ UpdateReport Material::update(double t, double dt, std::size_t n, const double* 
   char message[ASSAY_MESSAGE_SIZE] = "";
   std::int32_t status[ASSAY_BATCH_MAX];
   std::fill_n(status, n, ASSAY_GOOD);
+  for (const Field& field : fields_) {
+    const std::size_t at = field.component * n;
+    if (field.value) {
+      std::fill_n(state1 + at, n, field.value(t + dt));
+    } else {
+      std::copy_n(state0 + at, n, state1 + at);
+    }
+  }
   const std::string thrown = thrown_by(table_->update, [&] {
     table_->update(self_.get(), &step, n, state0, state1, cauchy, status, &report.dt_factor, message);
   });

@@ -50,9 +50,10 @@ Defect defect_of(const assay_parameter& p) {
 Defect defect_of(const assay_state_variable& variable) {
   const std::string whose = "state variable " + quoted(variable.name);
   if (components_of_kind(variable.kind) == 0) return whose + " is of an unknown kind";
-  if (variable.role < ASSAY_ROLE_PLAIN || variable.role > ASSAY_ROLE_DIRECTION) return whose + " has an unknown role";
+  if (variable.role < ASSAY_ROLE_PLAIN || variable.role > ASSAY_ROLE_FIELD) return whose + " has an unknown role";
   if (variable.role == ASSAY_ROLE_DIRECTION && variable.kind != ASSAY_VECTOR)
     return whose + " is a direction, and no vector";
+  if (variable.role == ASSAY_ROLE_FIELD && variable.kind != ASSAY_SCALAR) return whose + " is a field, and no scalar";
   return std::nullopt;
 }
 

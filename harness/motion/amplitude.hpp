@@ -22,11 +22,12 @@ struct Amplitude {
   double peak = 1;    ///< A [1]
   double period = 1;  ///< T [s]
 
-  void keys(auto& key) {
+  /// unit: of A.
+  void keys(auto& key, const char* unit = "rad") {
     key("amplitude.type",
         "sine: A sin(pi t/T); one_minus_cosine: A (1 - cos(2 pi t/T))/2; ramp: A t/T to T; unit box: sine only", type);
-    key("amplitude.peak", "A: peak angle of a ring [rad]; in the unit box, peak displacement, less than 1/pi [m]", peak,
-        {.derived = "1 of a ring, 0.1 in the unit box"});
+    key("amplitude.peak", "A: peak angle of a ring; in the unit box, peak displacement, less than 1/pi", peak,
+        {.unit = unit, .derived = "1 of a ring, 0.1 in the unit box"});
   }
 
   AmplitudeValue at(double t) const;

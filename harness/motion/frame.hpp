@@ -18,11 +18,11 @@ struct Frame {
   Vector3 axis{0, 0, 1};               ///< not zero; its length does not matter; in the plane E_z
 
   void keys(auto& key) {
-    key("angle", "angle by which body and motion are rotated against the grid, about the axis [rad]", angle);
-    key("spin", "angular velocity w: the whole motion rotates by a further angle w t [rad/s]", spin);
+    key("angle", "angle by which body and motion are rotated against the grid, about the axis", angle, {.unit = "rad"});
+    key("spin", "angular velocity w: the whole motion rotates by a further angle w t", spin, {.unit = "rad/s"});
     std::vector<double> c{velocity.x(), velocity.y()};
     if (velocity.z() != 0) c.push_back(velocity.z());
-    if (key("velocity", "velocity of the whole motion; with dimension: 3 also three numbers [m/s]", c))
+    if (key("velocity", "velocity of the whole motion; with dimension: 3 also three numbers", c, {.unit = "m/s"}))
       velocity << c[0], c[1], c.size() == 3 ? c[2] : 0;
     key("axis", "axis of angle and spin through the origin, any length; another than E_z needs dimension: 3", axis,
         {.derived = "[0, 0, 1]", .shown = axis != Vector3::UnitZ()});

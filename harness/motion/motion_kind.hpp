@@ -58,8 +58,8 @@ inline std::optional<MotionFault> fault_of_axis(const Vector3& axis) {
 }
 
 inline void period_key(Keys& keys, double& period) {
-  keys("period", "time T of the motion [s]; with motion.path, T is the time of the last row", period,
-       {.range = positive});
+  keys("period", "time T of the motion; with motion.path, T is the time of the last row", period,
+       {.unit = "s", .range = positive});
 }
 
 /// Of m = 1 a body's faces would need tractions.

@@ -17,6 +17,7 @@ Path loading_path(const Path& path, double end) {
   straight.name = path.name;
   straight.direction = path.direction;
   straight.material_direction = path.material_direction;
+  straight.initial_cauchy = path.initial_cauchy;
   straight.amplitude = [](double t) { return t; };
   straight.amplitude_rate = [](double) { return 1.0; };
   straight.parameter = {std::min(reached), std::max(reached)};

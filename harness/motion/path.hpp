@@ -35,8 +35,11 @@ struct Path {
 
   /// Components along the baseline frame E1, E2, E3 of the direction that a material with one has at rest [1].
   std::array<double, 3> material_direction{1, 0, 0};
+  /// Cauchy stress at rest, components along that frame; it is the same everywhere in the body [Pa].
+  Tensor initial_cauchy = Tensor::Zero();
 
-  /// Numbers of which another process makes this path, but for `parameter` and `material_direction`: registry.hpp.
+  /// Numbers of which another process makes this path, but for `parameter`, `material_direction`
+  /// and `initial_cauchy`: registry.hpp.
   /// Empty of a path that no motion has made.
   std::vector<double> recipe;
 

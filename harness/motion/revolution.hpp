@@ -44,19 +44,19 @@ struct Revolution {
   void keys(auto& key, bool alone = true, const char* power = "") {
     const bool is_torus = alone && profile == Profile::torus, is_drum = alone && profile == Profile::drum;
     key("profile", "shape of the vortex, a body of revolution about its axis", profile, {.shown = alone});
-    key("radius", "radius a of a ball or drum; of a torus the radius w of its section [m]", radius,
-        {.range = sizes, .shown = alone});
-    key("ring_radius", "radius R0 of the circle in the middle of a torus, more than its radius [m]", ring_radius,
-        {.range = sizes, .derived = "none: required of a torus, which alone has it", .shown = is_torus});
-    key("height", "half the height of a drum, c [m]", height,
-        {.range = sizes, .derived = "none: required of a drum, which alone has it", .shown = is_drum});
+    key("radius", "radius a of a ball or drum; of a torus the radius w of its section", radius,
+        {.unit = "m", .range = sizes, .shown = alone});
+    key("ring_radius", "radius R0 of the circle in the middle of a torus, more than its radius", ring_radius,
+        {.unit = "m", .range = sizes, .derived = "none: required of a torus, which alone has it", .shown = is_torus});
+    key("height", "half the height of a drum, c", height,
+        {.unit = "m", .range = sizes, .derived = "none: required of a drum, which alone has it", .shown = is_drum});
     profile_power_key(key, profile_power, alone, power);
     key("height_power", "k of a drum's profile (1 - R^2/a^2)^m (1 - Z^2/c^2)^k", height_power,
         {.range = profile_powers, .derived = "4 of a drum, which alone has it", .shown = is_drum});
     axis_key(key, axis, alone);
-    key("center", "point on the axis, in the middle of the vortex [m]", center, {.shown = alone});
-    key("strength", "factor of the angle against that of the amplitude, of either sign [1]", strength,
-        {.range = {.lower = -sizes.upper, .upper = sizes.upper}, .shown = alone});
+    key("center", "point on the axis, in the middle of the vortex", center, {.unit = "m", .shown = alone});
+    key("strength", "factor of the angle against that of the amplitude, of either sign", strength,
+        {.unit = "1", .range = {.lower = -sizes.upper, .upper = sizes.upper}, .shown = alone});
   }
 
   using Shape =

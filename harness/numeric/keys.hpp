@@ -76,15 +76,30 @@ template <class T>
 inline constexpr bool is_per_axis<PerAxis<T>> = true;
 
 /// automatic: a number, or the word "auto", which is what stands where nothing is given; pair_or_vector: two numbers,
-/// or three in space; per_axis: as many as the scene's dimension; list: of parts that have keys.
-enum class KeyType { number, automatic, boolean, text, choice, pair, vector, pair_or_vector, per_axis, matrix, list };
+/// or three in space; six: of a symmetric tensor; per_axis: as many as the scene's dimension; list: of parts that have
+/// keys.
+enum class KeyType {
+  number,
+  automatic,
+  boolean,
+  text,
+  choice,
+  pair,
+  vector,
+  pair_or_vector,
+  six,
+  per_axis,
+  matrix,
+  list
+};
 
 class Keys;
 
 /// What a struct says about a key besides name, text and value.
 struct KeyRules {
   using Words = std::vector<std::string> (*)();
-  Range range = {};                           ///< of a number, or of each in a list
+  const char* unit = "";  ///< in SI, of a number, or of each in a list; "": it is a count or a share
+  Range range = {};       ///< of a number, or of each in a list
   std::span<const char* const> choices = {};  ///< of a word; empty: all names of the enumeration
   bool required = false;
   bool automatic = false;                      ///< an optional number, of which `auto` is the word where it is absent
@@ -96,7 +111,7 @@ struct KeyRules {
 /// Two motions that have a key of one name share the key, and so its text.
 struct KeyInfo : KeyRules {
   std::string_view name;  ///< under its section: "amplitude.peak"
-  std::string_view doc;   ///< one line, with the unit
+  std::string_view doc;   ///< one line
   /// Of a list: shows the keys of a part as it is where nothing is given.
   void (*item)(Keys&) = nullptr;
 };
@@ -129,9 +144,13 @@ constexpr KeyType type_of() {
   if constexpr (std::is_same_v<Kept, std::vector<double>>) return KeyType::pair_or_vector;
   if constexpr (std::is_same_v<Kept, Tensor>) return KeyType::matrix;
   if constexpr (requires(Kept k) { std::tuple_size<Kept>::value; })
-    return std::tuple_size_v<Kept> == 2 ? KeyType::pair : KeyType::vector;
+    return std::tuple_size_v<Kept> == 2 ? KeyType::pair : std::tuple_size_v<Kept> == 6 ? KeyType::six : KeyType::vector;
   return KeyType::number;
 }
+
+/// Whether a key of that type is a list of so many numbers.
+template <KeyType type>
+inline constexpr bool is_row = type == KeyType::pair || type == KeyType::vector || type == KeyType::six;
 
 template <class Part>
 KeyRecord record_of(Part part);
@@ -156,7 +175,7 @@ KeyValue value_of(const Member& member) {
     std::vector<double> list;
     for (std::size_t d = 0; d < member.size(); ++d) list.push_back(static_cast<double>(member[d]));
     return list;
-  } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
+  } else if constexpr (is_row<type_of<Member>()>) {
     return std::vector<double>(member.begin(), member.end());
   } else if constexpr (std::is_same_v<Member, int>) {
     return static_cast<double>(member);
@@ -184,7 +203,7 @@ void give(Member& member, const KeyValue& value) {
     const auto& list = std::get<std::vector<double>>(value);
     member.set_dimension(static_cast<int>(list.size()));
     for (std::size_t d = 0; d < list.size(); ++d) member[d] = static_cast<std::decay_t<decltype(member[d])>>(list[d]);
-  } else if constexpr (type_of<Member>() == KeyType::pair || type_of<Member>() == KeyType::vector) {
+  } else if constexpr (is_row<type_of<Member>()>) {
     const auto& list = std::get<std::vector<double>>(value);
     for (std::size_t k = 0; k < list.size(); ++k) member[k] = static_cast<typename Member::value_type>(list[k]);
   } else if constexpr (std::is_same_v<Member, int>) {

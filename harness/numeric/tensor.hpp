@@ -14,6 +14,13 @@ using Vector3 = Eigen::Vector3d;
 using Tensor = Eigen::Matrix3d;
 
 /// Component of a tensor by the row-major index 0..8 of the ABI (11,12,13,21,22,23,31,32,33).
+/// Of the components 11, 22, 33, 12, 13, 23.
+inline Tensor symmetric_tensor(const std::array<double, 6>& s) {
+  Tensor A;
+  A << s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2];
+  return A;
+}
+
 inline double component(const Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
 inline double& component(Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
 

@@ -35,7 +35,7 @@ double rest_of(std::span<const double> coefficients) {
 std::vector<double> tau_of_eps(const Material& material, const Path& loading, std::span<const double> eps) {
   const std::size_t n = eps.size();
   std::vector<double> all(9 * n);
-  const std::vector<double> state0 = material.initial_state(1, {}, loading.material_direction);
+  const std::vector<double> state0 = state_at_rest(material, loading);
   for (std::size_t p = 0; p < n; ++p) {
     const Tensor F = loading.deformation_gradient(eps[p], 1);
     const Tensor sigma = stepped(material, 0, 1, Tensor::Identity(), F, state0, eps[p]).cauchy;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "harness/history/history.hpp"
 #include "harness/material/checked_update.hpp"
 #include "harness/numeric/norms.hpp"
 
@@ -56,7 +57,7 @@ StabilityProbe::StabilityProbe(const Material& material, const Path& path, doubl
 
 /// The smallest eigenvalue at rest; the scale of all others, and what differences cannot tell from zero.
 void StabilityProbe::look_at_rest() {
-  const std::vector<double> state = material_.initial_state(1, {}, path_.material_direction);
+  const std::vector<double> state = state_at_rest(material_, path_);
   const Tensor I = Tensor::Identity();
   const double dt = share_of_end * end_;
   const auto probed = [&](double step, double size) { return modulus_of(material_, 0, step, I, I, state, size); };

@@ -46,24 +46,34 @@ std::vector<std::uint32_t> held_nodes(const Setup<Dim>& setup) {
   return nodes;
 }
 
-/// Particles that never move give the grid their mass once. Their domains are turned as a rigid motion would.
+/// Particles that never move give the grid their mass and, where they are stressed, their internal force once. Their
+/// domains are turned as a rigid motion would.
 template <int Dim>
-std::vector<double> mass_of_held(const Setup<Dim>& setup) {
+Held held_in(const Setup<Dim>& setup) {
   const Seeds<Dim>& seeds = setup.seeds;
   Mat<Dim> F{};
   for (std::size_t d = 0; d < Dim; ++d) F[d * Dim + d] = 1;
   F[0] = F[Dim + 1] = std::cos(seeds.angle);
   F[Dim] = std::sin(seeds.angle);
   F[1] = -F[Dim];
-  std::vector<double> mass(setup.grid.nodes(), 0.0);
+  Held held{std::vector<double>(setup.grid.nodes(), 0.0), {}, held_nodes(setup)};
+  if (setup.is_stressed()) held.force.assign(Dim * setup.grid.nodes(), 0.0);
   with_basis<Dim>(setup.method.basis, [&](auto tag) {
     typename decltype(tag)::type basis(setup.grid, seeds.half_size, 1);
     for (std::size_t k = 0; k < seeds.held.size(); ++k) {
-      const double m = setup.density * seeds.held_volume(k);
-      if (basis.place(0, seeds.held[k], F)) basis.template scatter<1, 0>(0, {m}, {}, mass.data());
+      const double volume = seeds.held_volume(k), m = setup.density * volume;
+      if (!basis.place(0, seeds.held[k], F)) continue;
+      basis.template scatter<1, 0>(0, {m}, {}, held.mass.data());
+      if (held.force.empty()) continue;
+      Mat<Dim> of_stress{};
+      for (int i = 0; i < Dim; ++i) {
+        for (int j = 0; j < Dim; ++j)
+          of_stress[static_cast<std::size_t>(i * Dim + j)] = -volume * setup.initial_cauchy(i, j);
+      }
+      basis.template scatter<Dim, Dim>(0, {}, of_stress, held.force.data());
     }
   });
-  return mass;
+  return held;
 }
 
 template <int Dim>
@@ -119,12 +129,14 @@ EffectRecord<Dim> outside_held_effect() {
   EffectRecord<Dim> effect{100, "nodes and particles outside the vortex are fixed", "body.outside"};
   effect.called_for = [](const Setup<Dim>& s) { return s.hold_outside; };
   effect.passes = holding_passes<Dim>;
-  effect.grid_fields = [](const Setup<Dim>&) {
-    return std::vector<GridFieldUse>{{"held_mass", "of the particles that never move", doubles(1)}};
+  effect.grid_fields = [](const Setup<Dim>& s) {
+    std::vector<GridFieldUse> fields{{"held_mass", "of the particles that never move", doubles(1)}};
+    if (s.is_stressed()) fields.push_back({"held_force", "of their initial stress", doubles(Dim)});
+    return fields;
   };
   effect.prepare = [](State<Dim>& s) {
     auto& held = s.template own<Held>();
-    held = {mass_of_held(s.setup), held_nodes(s.setup)};
+    held = held_in(s.setup);
     for (std::size_t i = 0; i < held.mass.size(); ++i) {
       if (held.mass[i] > 0) s.live.keep(i);
     }

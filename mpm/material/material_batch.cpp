@@ -79,8 +79,10 @@ MaterialBatches<Dim>::MaterialBatches(State<Dim>& state) : state_(&state), colum
   const bool directed = has_direction(state.setup.material->table());
   for (std::size_t begin = 0; state_size && begin < state.particles; begin += block_size) {
     const std::size_t n = std::min(block_size, state.particles - begin);
+    std::vector<double> stress(state.setup.is_stressed() ? 9 * n : 0);
+    for (std::size_t p = 0; !stress.empty() && p < n; ++p) put_tensor(state.setup.initial_cauchy, stress.data(), n, p);
     const std::vector<double> rest =
-        instances_[0].initial_state(n, {}, directed ? directions(begin, n) : std::vector<double>());
+        instances_[0].initial_state(n, stress, directed ? directions(begin, n) : std::vector<double>());
     std::copy(rest.begin(), rest.end(), columns_.history[0] + begin * state_size);
   }
   if (state.setup.offload) state.setup.offload->place(columns_);

@@ -16,14 +16,6 @@ constexpr std::size_t row_of(int c) {
   return static_cast<std::size_t>(3 * (c / Dim) + c % Dim);
 }
 
-/// Row of the ABI's nine components for component c of the stress column.
-template <int Dim>
-constexpr std::size_t stress_row(int c) {
-  constexpr std::size_t in_space[] = {0, 4, 8, 1, 2, 5};
-  if constexpr (Dim == 3) return in_space[c];
-  return c < Dim * Dim ? row_of<Dim>(c) : 8;  // 33 comes last in plane strain
-}
-
 /// F of a block after the step, F before and after as batches. The first particle whose det F is not positive.
 template <int Dim>
 std::optional<std::size_t> advance_block(const StressColumns<Dim>& columns, std::size_t begin, std::size_t n, double dt,

@@ -20,6 +20,14 @@ struct MaterialHistory {
   ColumnData begin, end;
 };
 
+/// Row of the ABI's nine components for component c of the stress column.
+template <int Dim>
+constexpr std::size_t stress_row(int c) {
+  constexpr std::size_t in_space[] = {0, 4, 8, 1, 2, 5};
+  if constexpr (Dim == 3) return in_space[c];
+  return c < Dim * Dim ? static_cast<std::size_t>(3 * (c / Dim) + c % Dim) : 8;  // 33 comes last in plane strain
+}
+
 /// What the stress pass reads and writes: component c of particle p at [c][p]; history by block, [c * n + p] of n
 /// points.
 template <int Dim>

@@ -82,7 +82,8 @@ struct Setup {
   /// Unit direction of a material with one: along E_R, E_Theta, E_Z at the particle for a polar motion, along N,
   /// E_Theta, M for a vortex in space, Cartesian otherwise.
   std::array<double, 3> material_direction{1, 0, 0};
-  bool body_force = false;  ///< b of the exact motion acts
+  Tensor initial_cauchy = Tensor::Zero();  ///< at rest, everywhere, as the frame sees it [Pa]
+  bool body_force = false;                 ///< b of the exact motion acts
   Evaluation evaluation = Evaluation::point;
   Inertia inertia = Inertia::grid;
   std::optional<Traction> traction;                     ///< on the surface of the seeds
@@ -102,6 +103,7 @@ struct Setup {
   bool averages_force() const {
     return body_force && evaluation == Evaluation::domain_average && !force_is_acceleration();
   }
+  bool is_stressed() const { return !initial_cauchy.isZero(0); }  ///< at rest
   bool has_virtual_stress() const { return traction && traction->algorithm == TractionAlgorithm::virtual_stress; }
   bool has_images() const {
     return std::any_of(ends.begin(), ends.end(), [](const AxisEnds& axis) { return axis.any(); });

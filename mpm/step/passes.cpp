@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/step/passes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mpm/kernels/affine.hpp"
@@ -50,6 +51,8 @@ Kernel scatter_kernel(State<Dim>& s, BlockKernel<Dim> scatter, bool momentum, bo
     if (momentum) s.inertia.zero(s.live.runs());
     if (momentum && !held.mass.empty()) s.live.each([&](std::size_t i) { s.inertia.node(i)[0] = held.mass[i]; });
     if (force) s.force.zero(s.live.runs());
+    if (force && !held.force.empty())
+      s.live.each([&](std::size_t i) { std::copy_n(&held.force[Dim * i], Dim, s.force.node(i)); });
   };
   return kernel;
 }

@@ -93,6 +93,7 @@ struct State : KernelState<Dim> {
 /// What never moves: mass of particles, a node, and nodes; empty where nothing is held.
 struct Held {
   std::vector<double> mass;
+  std::vector<double> force;  ///< of their initial stress, Dim components a node; empty where there is none [N]
   std::vector<std::uint32_t> nodes;
 };
 

@@ -19,7 +19,7 @@ FEWEST = 8  # words of a sentence that was mended: fewer may be right elsewhere
 # Everybody who reads these pages knows them.
 COMMON = set("""AMD ASCII AVX AVX2 BSD CPU CSV DNS EPYC GB GNU GPU HTML HTTP HTTPS ID II III IV JSON KB LF MB MIT OK OS
 PDF PNG README RAM SHA SI SVG TODO URL UTF VM XML YAML YYYY ZIP MPa GPa kPa GiB MiB KiB CRLF BOM PyYAML CITATION
-CONTRIBUTING CHANGELOG LICENSE IEEE ISO DOI ORCID JOSS PR FAQ OpenMP MPI FIFO NaN NaNs CMake VTK DOCTYPE""".split())
+CONTRIBUTING CHANGELOG LICENSE IEEE ISO DOI ORCID JOSS PR FAQ OpenMP MPI FIFO NaN NaNs CMake VTK DOCTYPE LS DYNA""".split())
 # pattern: what to write instead. At the beginning of a sentence, or anywhere.
 OPENINGS = {
     r"Of (?!course\b)": "a sentence that opens with 'Of': write 'For X, ...' or put the subject first",

@@ -96,6 +96,8 @@ Loose value_for(const drivers::Key& key, Dice& dice) {
       return numbers(2, key.range, dice);
     case vector:
       return numbers(3, key.range, dice);
+    case six:
+      return numbers(6, key.range, dice);
     case pair_or_vector:
     case per_axis:
       return numbers(dice.one_in(2) ? 2 : 3, key.range, dice);

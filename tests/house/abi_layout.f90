@@ -118,7 +118,7 @@ contains
       assay_abi_major, assay_abi_minor, int(assay_batch_max, c_int32_t), int(assay_message_size, c_int32_t), &
       assay_failed, assay_doubtful, assay_good, &
       assay_scalar, assay_vector, assay_symmetric_tensor, assay_tensor, &
-      assay_role_plain, assay_role_rotates_itself, assay_role_direction, &
+      assay_role_plain, assay_role_rotates_itself, assay_role_direction, assay_role_field, &
       assay_isotropic, assay_cylindrically_orthotropic, assay_anisotropic, &
       assay_monoclinic, assay_orthotropic, assay_trigonal, assay_tetragonal, assay_hexagonal, &
       assay_transversely_isotropic, assay_cubic, &

@@ -39,7 +39,8 @@ inline void keep_resolved_scenes(const std::filesystem::path& folder) {
     if (!std::filesystem::exists(entry.path().parent_path() / "result.json")) continue;
     std::ifstream in(entry.path(), std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
-    keep_yaml(text.find("\npath:") == text.npos ? "scene" : "path", text);
+    const bool path = text.find("\npath:") != text.npos || text.find("\nstages:") != text.npos;
+    keep_yaml(path ? "path" : "scene", text);
   }
 }
 

@@ -158,7 +158,7 @@ class Check:
         """Of a file of the tree."""
         if path.parent.name == "studies":
             return "study"
-        if re.search(r"^path:", text, re.M):
+        if re.search(r"^(path|stages):", text, re.M):
             return "path"
         return "description" if re.search(r"^library:", text, re.M) else "scene"
 

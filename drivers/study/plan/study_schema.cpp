@@ -38,7 +38,7 @@ Json settings() {
   for (const Key& key : scene_keys()) {
     Json one = type_schema(key);
     Json& known = properties[key.path];
-    if (known.is_null()) known = Json{{"description", key.doc}, {"anyOf", Json::array()}};
+    if (known.is_null()) known = Json{{"description", doc_of(key)}, {"anyOf", Json::array()}};
     if (key.type == KeyType::list) {
       const std::string item = "^" + literal(key.path) + R"((\[[0-9]+\]|\.[0-9]+))";
       patterns[item + "$"] = one["items"];

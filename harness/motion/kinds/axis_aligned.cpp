@@ -128,10 +128,11 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
   }
 
   void keys(Keys& keys) override {
-    m.amplitude.keys(keys);
+    m.amplitude.keys(keys, "m");
     std::optional<double> speed = m.given_speed ? std::optional(m.wave_speed()) : std::nullopt;
-    if (keys("wave_speed", "c, which sets T = 1/c [m/s]; auto: c = sqrt(E/rho0) with the material's parameter E", speed,
-             {.range = {.lower = AxisAligned::least_wave_speed, .upper = AxisAligned::most_wave_speed},
+    if (keys("wave_speed", "c, which sets T = 1/c; auto: c = sqrt(E/rho0) with the material's parameter E", speed,
+             {.unit = "m/s",
+              .range = {.lower = AxisAligned::least_wave_speed, .upper = AxisAligned::most_wave_speed},
               .automatic = true}) &&
         speed)
       m.amplitude.period = 1 / *speed;
@@ -139,8 +140,8 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
     if (m.one_dimensional) return;
     Vector3 s = m.s();
     const bool is_told = m.in_space || s != AxisAligned{}.s();
-    if (keys("factors", "s of u_i = A s_i sin(pi X_i) sin(c pi t); in the plane the third is 0 [1]", s,
-             {.derived = "[1, -1, 0]; with dimension: 3 [1, -1, 0.5]", .shown = is_told}))
+    if (keys("factors", "s of u_i = A s_i sin(pi X_i) sin(c pi t); in the plane the third is 0", s,
+             {.unit = "1", .derived = "[1, -1, 0]; with dimension: 3 [1, -1, 0.5]", .shown = is_told}))
       m.factors = s;
   }
   void set_dimension(int dimension) override { m.in_space = dimension == 3; }

@@ -58,8 +58,8 @@ class HomogeneousKind final : public MotionOf<HomogeneousKind, Homogeneous> {
     return F(0, 2) == 0 && F(1, 2) == 0 && F(2, 0) == 0 && F(2, 1) == 0 && F(2, 2) == 1;
   }
   void keys(Keys& keys) override {
-    keys("final", "deformation gradient at t = motion.period, det F > 0 [1]", m.final,
-         {.derived = "none: required unless path is given"});
+    keys("final", "deformation gradient at t = motion.period, det F > 0", m.final,
+         {.unit = "1", .derived = "none: required unless path is given"});
     period_key(keys, m.period);
   }
 

@@ -63,8 +63,8 @@ class RigidKind final : public MotionOf<RigidKind, Rigid> {
   }
   void keys(Keys& keys) override {
     period_key(keys, m.period);
-    keys("velocity", "velocity of the whole body [m/s]", m.velocity);
-    keys("spin", "angular velocity of the whole body about the axis through the origin [rad/s]", m.spin);
+    keys("velocity", "velocity of the whole body", m.velocity, {.unit = "m/s"});
+    keys("spin", "angular velocity of the whole body about the axis through the origin", m.spin, {.unit = "rad/s"});
     axis_key(keys, m.axis);
   }
   std::optional<MotionFault> fault(const MotionUse&) const override { return fault_of_axis(m.axis); }

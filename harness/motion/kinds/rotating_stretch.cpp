@@ -112,10 +112,10 @@ class RotatingStretchKind final : public MotionOf<RotatingStretchKind, RotatingS
   bool is_spatial() const override { return true; }
   void keys(Keys& keys) override {
     period_key(keys, m.period);
-    keys("stretch", "a: the stretch along E1 is 1 + a sin^2(pi t/T), or 1 + a q(2 t/T) with rotate: after [1]",
-         m.stretch, {.range = {.lower = -1, .lower_open = true}, .required = true});
-    keys("shear", "k of the shear U12 = k (U11 - 1)/a [1]", m.shear);
-    keys("rotation", "total angle of rotation beta [rad]", m.rotation);
+    keys("stretch", "a: the stretch along E1 is 1 + a sin^2(pi t/T), or 1 + a q(2 t/T) with rotate: after", m.stretch,
+         {.unit = "1", .range = {.lower = -1, .lower_open = true}, .required = true});
+    keys("shear", "k of the shear U12 = k (U11 - 1)/a", m.shear, {.unit = "1"});
+    keys("rotation", "total angle of rotation beta", m.rotation, {.unit = "rad"});
     axis_key(keys, m.axis);
     keys("rotate", "when the body rotates: never (none), while it stretches (simultaneous) or afterwards (after)",
          m.rotate);

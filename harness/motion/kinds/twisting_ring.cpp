@@ -70,8 +70,8 @@ class TwistingRingKind final : public MotionOf<TwistingRingKind, TwistingRing>, 
 
   void keys(Keys& keys) override {
     ring_keys(keys, m.twist);
-    keys("expansion", "e: radii change by e sin(pi t/T) U(R), with U = 1 at the outer radius [m]", m.expansion,
-         {.required = true});
+    keys("expansion", "e: radii change by e sin(pi t/T) U(R), with U = 1 at the outer radius", m.expansion,
+         {.unit = "m", .required = true});
     m.twist.amplitude.keys(keys);
   }
   std::optional<MotionFault> fault(const MotionUse&) const override {

@@ -157,8 +157,8 @@ class VortexKind final : public MotionOf<VortexKind, Vortex>, public PolarMotion
 std::unique_ptr<MotionKind> kind_of(const Vortex& motion) { return std::make_unique<VortexKind>(motion); }
 
 void ring_keys(Keys& keys, Vortex& m) {
-  keys("inner", "inner radius ri of the ring [m]", m.inner, {.range = positive});
-  keys("outer", "outer radius ro of the ring [m]", m.outer, {.range = positive});
+  keys("inner", "inner radius ri of the ring", m.inner, {.unit = "m", .range = positive});
+  keys("outer", "outer radius ro of the ring", m.outer, {.unit = "m", .range = positive});
   period_key(keys, m.amplitude.period);
   profile_power_key(keys, m.profile_power);
 }

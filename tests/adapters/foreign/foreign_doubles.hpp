@@ -30,6 +30,7 @@ inline ForeignModel foreign_double(const std::string& name) {
       property("YoungModulus", 1e3), property("PoissonRatio", 0.3), property("A", 1e-3), property("n", 2);
     } else {
       property("YoungModulus", 1e3), property("PoissonRatio", 0.3);
+      if (name == "mfront_thermal") property("Expansion", 1e-4);
     }
     return model;
   }
@@ -51,6 +52,11 @@ inline ForeignModel foreign_double(const std::string& name) {
     return model;
   }
   if (name == "umat_incomplete") return model;
+  if (name.ends_with("_thermal")) {
+    property("E", 1e3), property("nu", 0.3), property("alpha", 1e-4);
+    model.state = {{"warm"}, {"swollen"}};
+    return model;
+  }
   property("E", 1e3), property("nu", 0.3);
   if (name.ends_with("neo_hookean")) {
     model.finite_strain = true;

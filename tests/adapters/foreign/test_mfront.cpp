@@ -68,5 +68,40 @@ TEST(Mfront, ATemperatureAmongItsOwnVariablesIsThatOfTheDescription) {
   EXPECT_THROW(foreign_table(cold), ModelRefused) << "it takes none";
 }
 
+/// In the plane the two functions of a behaviour answer alike, with their tangents; in small and in finite strain.
+TEST(Mfront, TheHypothesisOfThePlaneAnswersAsThatOfSpace) {
+  constexpr double same = 1e-12;  ///< rounding, relative to the modulus
+  for (const char* name : {"mfront_norton", "mfront_neo_hookean"}) {
+    SCOPED_TRACE(name);
+    ForeignModel space = foreign_double(name), plane = space;
+    plane.hypothesis = "PlaneStrain";
+    StepsOfOnePoint in_space(space), in_plane(plane);
+    EXPECT_TRUE(in_plane.material.has(ASSAY_IN_PLANE));
+    Tensor F0 = Tensor::Identity(), F1 = F0;
+    for (int k = 1; k <= 3; ++k) {
+      F1(0, 0) = 1 + 0.01 * k, F1(0, 1) = 0.02 * k, F1(1, 0) = -0.01 * k, F1(2, 2) = 1 - 0.005 * k;
+      const std::vector<double> a = in_space.tangent(k, 0.5, F0, F1), b = in_plane.tangent(k, 0.5, F0, F1);
+      for (int row = 0; row < 9; ++row) {
+        for (int column = 0; column < 9; ++column) {
+          if (!is_in_plane(row) || !is_in_plane(column)) continue;
+          const auto at = static_cast<std::size_t>(9 * row + column);
+          EXPECT_NEAR(a[at], b[at], same * 1e3) << row << " " << column;
+        }
+      }
+      const StepEnd whole = in_space.taken(k, 0.5, F0, F1), part = in_plane.taken(k, 0.5, F0, F1);
+      EXPECT_LT((whole.cauchy - part.cauchy).cwiseAbs().maxCoeff(), same * 1e3) << k;
+      F0 = F1;
+    }
+    F1(0, 2) = 0.01;
+    EXPECT_EQ(in_plane.tried(4, 0.5, F0, F1).report.worst, ASSAY_FAILED);
+  }
+}
+
+TEST(Mfront, AHypothesisThatTheBehaviourDoesNotHaveIsRefused) {
+  ForeignModel model = foreign_double("mfront_norton");
+  model.hypothesis = "Axisymmetrical";
+  EXPECT_THROW(foreign_table(model), ModelRefused);
+}
+
 }  // namespace
 }  // namespace assay::adapters::test_mfront

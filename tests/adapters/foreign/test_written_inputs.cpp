@@ -7,6 +7,7 @@
 #include "adapters/process/process_watch.hpp"
 #include "adapters/worker/remote_table.hpp"
 #include "tests/adapters/foreign/foreign_steps.hpp"
+#include "tests/adapters/foreign/vendor_doubles.hpp"
 
 namespace assay::adapters::test_written_inputs {
 namespace {
@@ -61,6 +62,17 @@ TEST(WrittenInputs, OfAVumatAreNamedFromItsFirstStepOn) {
 TEST(WrittenInputs, OfMfrontAreNamed) {
   EXPECT_EQ(written_by(foreign_double("mfront_norton"), 0), "");
   EXPECT_EQ(written_by(foreign_double("mfront_norton_writes"), 0), "writes to its inputs (s0)");
+}
+
+TEST(WrittenInputs, OfOtherVendorsAreNamedAndPutRight) {
+  if (!double_exists("usermat_j2")) GTEST_SKIP() << "no Fortran compiler";
+  constexpr double writes = 4;
+  ForeignModel usermat = usermat_double(), lsdyna = lsdyna_double();
+  EXPECT_EQ(written_by(usermat, 0), "");
+  EXPECT_EQ(written_by(lsdyna, 0), "");
+  usermat.properties.back().value = lsdyna.properties.back().value = writes;
+  EXPECT_EQ(written_by(usermat, 0), "writes to its inputs (DSTRAN)");
+  EXPECT_EQ(written_by(lsdyna, 0), "writes to its inputs (PROPS)");
 }
 
 TEST(WrittenInputs, AreHeardOfFromAWorker) {

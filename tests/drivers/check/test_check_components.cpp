@@ -22,6 +22,40 @@ TEST(CheckComponents, AModelOfPlaneStrainIsToldWhatCuresIt) {
   EXPECT_FALSE(declared.says("components: [4]")) << "it is said to serve six: " << declared.said;
 }
 
+TEST(CheckComponents, PlaneStressIsJudgedInItsPlane) {
+  if (!has_foreign("umat_plane_stress")) GTEST_SKIP() << "no Fortran compiler";
+  const auto keys = [](int law, const std::string& more) {
+    return "interface: umat\ncomponents: [3]\nproperties: {E: 1.0e3, nu: 0.3, law: " + std::to_string(law) + "}\n" +
+           more;
+  };
+  for (const char* thickness : {"0.3", "constant", "incompressible"}) {
+    const ForeignCheck sheet("umat_plane_stress", keys(1, std::string("thickness: ") + thickness + "\n"), {});
+    EXPECT_EQ(sheet.status, 0) << thickness << sheet.said;
+    EXPECT_EQ(sheet.verdict_of("vortex"), "n/a") << thickness;
+  }
+  const ForeignCheck rubber("umat_plane_stress", keys(2, "strain: finite\n"));
+  EXPECT_EQ(rubber.status, 0) << rubber.said;
+  EXPECT_EQ(rubber.verdict_of("tangent"), "pass") << rubber.said;
+  // J is 1 where the thickness makes it so, and both conventions are one; its DDSDDE has no term of J elsewhere
+  EXPECT_EQ(ForeignCheck("umat_plane_stress", keys(2, "strain: small\n")).status, 0);
+  const ForeignCheck other("umat_plane_stress", keys(2, "strain: finite\nthickness: constant\n"));
+  EXPECT_EQ(other.cause(), "tangent of another convention") << other.said;
+  const ForeignCheck four("umat_plane_stress", keys(3, ""));
+  EXPECT_NE(four.sentence().find("writes STRESS(4)"), std::string::npos) << four.said;
+}
+
+/// Both shears of the plane are doubled, and the transpose of F is taken.
+TEST(CheckComponents, WhatIsWrongInPlaneStressIsNamed) {
+  if (!has_foreign("umat_plane_stress")) GTEST_SKIP() << "no Fortran compiler";
+  const auto cause = [](int law, const std::string& more) {
+    return ForeignCheck("umat_plane_stress", "interface: umat\ncomponents: [3]\nproperties: {E: 1.0e3, nu: 0.3, law: " +
+                                                 std::to_string(law) + "}\n" + more)
+        .cause();
+  };
+  EXPECT_EQ(cause(5, "thickness: 0.3\n"), "shear factor 2");
+  EXPECT_EQ(cause(6, "strain: finite\n"), "increment rotation missing");
+}
+
 TEST(CheckComponents, AnotherDefectIsNotCuredByThem) {
   if (!has_foreign("umat_j2_unrotated")) GTEST_SKIP() << "no Fortran compiler";
   const ForeignCheck check("umat_j2_unrotated",

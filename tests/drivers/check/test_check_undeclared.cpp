@@ -118,7 +118,7 @@ TEST_F(CheckUndeclared, DirectionsAreAskedForAndNotTakenForGranted) {
 }
 
 /// STRESS(1:3) of 11, 22 and 12.
-TEST_F(CheckUndeclared, PlaneStressIsToldAndNotJudged) {
+TEST_F(CheckUndeclared, PlaneStressIsToldAndJudgedWhereItIsDeclared) {
   const std::string statements =
       "      DDSDDE(1:3,1:3)=0\n      F=PROPS(1)/(1-PROPS(2)**2)\n      DDSDDE(1,1)=F\n      DDSDDE(2,2)=F\n"
       "      DDSDDE(1,2)=F*PROPS(2)\n      DDSDDE(2,1)=F*PROPS(2)\n      DDSDDE(3,3)=F*(1-PROPS(2))/2\n"
@@ -134,7 +134,11 @@ TEST_F(CheckUndeclared, PlaneStressIsToldAndNotJudged) {
     const Found declared = check("said.yaml");
     EXPECT_EQ(declared.status, 2) << said << declared.said;
     EXPECT_TRUE(declared.says("as in plane stress (11, 22 and 12)")) << said << declared.said;
+    EXPECT_TRUE(declared.says("declare components: [3]")) << said << declared.said;
   }
+  scratch.write("said.yaml", keys + "[3]\nthickness: 0.3\n");
+  const Found judged = check("said.yaml");
+  EXPECT_EQ(judged.status, 0) << judged.said;
 }
 
 }  // namespace

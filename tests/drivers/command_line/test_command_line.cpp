@@ -208,11 +208,11 @@ TEST_F(CommandLine, ANameThatBeginsWithAHyphenStandsBehindTwo) {
 }
 
 TEST_F(CommandLine, SettingsReachTheReaderAsTheyStand) {
-  EXPECT_EQ(
-      refused({"--set", "motion.x=[1,2]"}),
-      "--set motion.x: unknown key; known: type, inner, outer, path, interpolation, final, center, strength, "
-      "vortices, period, profile, radius, ring_radius, height, profile_power, expansion, wave_speed, factors, stretch, "
-      "shear, rotation, velocity, spin, height_power, axis, rotate, allow_unstable, amplitude\n");
+  EXPECT_EQ(refused({"--set", "motion.x=[1,2]"}),
+            "--set motion.x: unknown key; known: type, inner, outer, path, interpolation, time_unit, final, center, "
+            "strength, vortices, period, profile, radius, ring_radius, height, profile_power, expansion, wave_speed, "
+            "factors, stretch, "
+            "shear, rotation, velocity, spin, height_power, axis, rotate, allow_unstable, amplitude\n");
   EXPECT_EQ(refused({"--set=motion.inner=[1,2]"}), "--set motion.inner: must be a number, found a list\n");
   EXPECT_EQ(refused({"--set", "[1,2]"}), "--set: takes key.path=value, found '[1,2]'\n");
   EXPECT_TRUE(refused({"--set", "[motion.inner=1,motion.outer=2]"}).starts_with("--set [motion: unknown key"))

@@ -85,10 +85,13 @@ TEST(ForeignDescription, WhatHasNoEffectOfMfrontIsRefused) {
 
 TEST(ForeignDescription, ASourceNeedsAnInterfaceAndIsOneFile) {
   const auto told = [](const std::string& text) { return refusal_of([&] { read_description(text, file); }); };
-  EXPECT_EQ(told("source: a.f\n"),
-            "/folder/My-Clay.yaml:1:9: source: goes with interface: umat or vumat: write one of these lines beside it");
-  EXPECT_EQ(told("source: a.f\ninterface: native\n"),
-            "/folder/My-Clay.yaml:1:9: source: goes with interface: umat or vumat, found interface: native");
+  EXPECT_EQ(
+      told("source: a.f\n"),
+      "/folder/My-Clay.yaml:1:9: source: goes with interface: umat, vumat, usermat or lsdyna: write one of these lines "
+      "beside it");
+  EXPECT_EQ(
+      told("source: a.f\ninterface: native\n"),
+      "/folder/My-Clay.yaml:1:9: source: goes with interface: umat, vumat, usermat or lsdyna, found interface: native");
   EXPECT_EQ(told("source: [a.f, b.f]\ninterface: umat\n"),
             "/folder/My-Clay.yaml:1:9: source: must be one file, found a list: let one INCLUDE the others, or build a "
             "library of them, for `link`");
@@ -159,7 +162,46 @@ TEST(ForeignDescription, OnlyAUmatIsToldItsAxes) {
   };
   EXPECT_EQ(of("umat", "corotational"), "accepted");
   EXPECT_EQ(of("vumat", "fixed"), "accepted");
-  EXPECT_TRUE(of("vumat", "corotational").starts_with(file + ":3:7: axes: is for UMATs alone"));
+  EXPECT_TRUE(of("vumat", "corotational").starts_with(file + ":3:7: axes: is for interfaces that leave the choice"));
+}
+
+TEST(ForeignDescription, PlaneStressHasAThickness) {
+  EXPECT_EQ(model("components: [3]").thickness, 0.5);
+  EXPECT_EQ(model("components: [3]\nthickness: constant").thickness, 0);
+  EXPECT_EQ(model("components: [3]\nthickness: incompressible").thickness, 0.5);
+  const MaterialDescription said = read("components: [3]\nthickness: 0.3\n");
+  EXPECT_EQ(said.foreign->thickness, 0.3);
+  EXPECT_EQ(read_description(description_yaml(said), file).foreign->thickness, 0.3);
+  EXPECT_NE(refused("components: [3]\nthickness: thin\n").find("known: constant, incompressible"), std::string::npos);
+  EXPECT_NE(refused("components: [3]\nthickness: 0.6\n").find("thickness: must be"), std::string::npos);
+  EXPECT_NE(refused("thickness: 0.3\n").find("is for a UMAT of plane stress alone"), std::string::npos);
+  EXPECT_NE(refused("components: [3, 6]\n").find("3 stands alone"), std::string::npos);
+}
+
+TEST(ForeignDescription, OtherVendorsHaveDefaultsAndKeysOfTheirOwn) {
+  const auto of = [](const std::string& interface, const std::string& keys) {
+    return read_description("library: a.so\ninterface: " + interface + "\n" + keys, file);
+  };
+  EXPECT_EQ(of("usermat", "").foreign->symbol, "usermat_");
+  EXPECT_EQ(of("usermat", "").foreign->axes, adapters::Axes::corotational);
+  EXPECT_EQ(of("lsdyna", "").foreign->symbol, "umat41_");
+  EXPECT_EQ(of("lsdyna", "").foreign->axes, adapters::Axes::fixed);
+  EXPECT_EQ(of("lsdyna", "").foreign->arguments, 18);
+  for (const auto& [interface, keys] : {std::pair{"usermat", "axes: fixed\ncomponents: [4]\nstep: 2\n"},
+                                        {"lsdyna", "arguments: 16\nstrain: finite\nsymbol: umat45_\n"}}) {
+    const MaterialDescription first = of(interface, keys), second = read_description(description_yaml(first), file);
+    expect_same(first, second);
+    EXPECT_EQ(second.foreign->arguments, first.foreign->arguments);
+    EXPECT_EQ(description_yaml(second), description_yaml(first));
+  }
+  for (const std::string interface : {"umat", "vumat", "usermat", "lsdyna"}) {
+    for (const std::string& key : keys_without_effect(interface)) {
+      EXPECT_NE(refusal_of([&] { of(interface, key + ": 1\n"); }).find("has no effect with interface: " + interface),
+                std::string::npos)
+          << interface << " " << key;
+    }
+  }
+  EXPECT_NE(refusal_of([&] { of("usermat", "components: [3]\n"); }).find("3 is for UMATs alone"), std::string::npos);
 }
 
 struct BadKey {
@@ -242,7 +284,9 @@ TEST(ForeignDescription, DamagedIsReadOrRefusedInOneLine) {
 
 TEST(ForeignDescription, AnUnknownInterfaceIsToldWithTheNearest) {
   EXPECT_EQ(refusal_of([] { read_description("library: a.so\ninterface: umatt\n", file); }),
-            file + ":2:12: interface: unknown value 'umatt' (nearest: umat); known: native, umat, vumat, mfront");
+            file +
+                ":2:12: interface: unknown value 'umatt' (nearest: umat); known: native, umat, vumat, mfront, "
+                "usermat, lsdyna");
 }
 
 }  // namespace

@@ -108,7 +108,9 @@ TEST_F(Registry, DescriptionsAreStrict) {
   EXPECT_EQ(line("name: x\n"), file + ":1:1: library: required and not given; known: " + known);
   EXPECT_EQ(line(library + "nmae: first\n"), file + ":2:1: nmae: unknown key (nearest: name); known: " + known);
   EXPECT_EQ(line(library + "interface: umap\n"),
-            file + ":2:12: interface: unknown value 'umap' (nearest: umat); known: native, umat, vumat, mfront");
+            file +
+                ":2:12: interface: unknown value 'umap' (nearest: umat); known: native, umat, vumat, mfront, "
+                "usermat, lsdyna");
   EXPECT_EQ(line(library + "density: 0\n"), file + ":2:10: density: must be greater than 0, found '0'");
   EXPECT_EQ(line(library + "parameters: {modulus: .nan}\n"),
             file + ":2:23: parameters.modulus: must be a finite number, found '.nan'");

@@ -148,9 +148,11 @@ TEST_F(SourceDescriptionTest, TheEntryIsTheOneThatAbaqusWouldCall) {
   }
   request.symbol = "absent";
   EXPECT_EQ(refused(two, request), "two.f: symbol: 'absent' is no routine of it; known: mylaw_, umat_clay_");
-  EXPECT_EQ(refused(scratch.write("none.f", "      SUBROUTINE HELPER(A,B)\n      A=B\n      END\n")),
-            "none.f: has no UMAT and no VUMAT: no routine of that name, and none of 37 or 33 arguments; known: its "
-            "subroutines helper (2)");
+  EXPECT_EQ(
+      refused(scratch.write("none.f", "      SUBROUTINE HELPER(A,B)\n      A=B\n      END\n")),
+      "none.f: has no UMAT and no VUMAT: no routine of that name, and none of 37 or 33 arguments; no usermat, and no "
+      "umat41 to umat50; known: its "
+      "subroutines helper (2)");
   std::string within = hooke_umat;
   within.insert(within.rfind("END"), "END SUBROUTINE");
   within.erase(within.rfind("END\n"));
@@ -313,7 +315,8 @@ TEST_F(SourceDescriptionTest, ADescriptionMayNameASource) {
   EXPECT_NE(all(read("source: wide.f\ninterface: umat\n").warnings).find("NDI is declared an integer of 8 bytes"),
             std::string::npos);
   const auto line = [&](const std::string& text) { return refusal_of([&] { read(text); }); };
-  EXPECT_NE(line("source: hooke.f\n").find("source: goes with interface: umat or vumat"), std::string::npos);
+  EXPECT_NE(line("source: hooke.f\n").find("source: goes with interface: umat, vumat, usermat or lsdyna"),
+            std::string::npos);
   EXPECT_NE(line("source: no.f\ninterface: umat\n").find(":1:9: source: no such file"), std::string::npos);
   EXPECT_NE(line("source: a.c\ninterface: umat\n").find(":1:9: source: must be a Fortran source"), std::string::npos);
 }

@@ -70,15 +70,27 @@ TEST(PathScene, ReadsSums) {
   std::string fault;
   const auto sum = parse_quantity("e11 + 2 e22 - 0.5*e33", fault);
   ASSERT_TRUE(sum) << fault;
-  const ControlQuantity quantity = control_quantity(*sum);
+  const ControlQuantity quantity = control_quantity(*sum, Deformation::logarithmic_strain);
   EXPECT_EQ(quantity.deformation.diagonal(), Vector3(1, 2, -0.5));
-  EXPECT_EQ(control_quantity(*parse_quantity("volume", fault)).deformation, Tensor(Tensor::Identity()));
-  EXPECT_EQ(control_quantity(*parse_quantity("s21", fault)).stress(0, 1), 1);
-  EXPECT_EQ(control_quantity(*parse_quantity("s22 + 2.0e+9 e22", fault)).deformation(1, 1), 2e9);
-  EXPECT_EQ(control_quantity(*parse_quantity("s22 + 2e9*e22", fault)).deformation(1, 1), 2e9);
-  EXPECT_EQ(control_quantity(*parse_quantity("2 e11", fault)).deformation(0, 0), 2);
-  EXPECT_EQ(control_quantity(*parse_quantity("2e11", fault)).deformation(0, 0), 2);
-  EXPECT_EQ(control_quantity(*parse_quantity("P21", fault)).stress(1, 0), 1);
+  EXPECT_EQ(control_quantity(*parse_quantity("volume", fault), Deformation::logarithmic_strain).deformation,
+            Tensor(Tensor::Identity()));
+  EXPECT_EQ(control_quantity(*parse_quantity("s21", fault), Deformation::logarithmic_strain).stress(0, 1), 1);
+  EXPECT_EQ(
+      control_quantity(*parse_quantity("s22 + 2.0e+9 e22", fault), Deformation::logarithmic_strain).deformation(1, 1),
+      2e9);
+  EXPECT_EQ(
+      control_quantity(*parse_quantity("s22 + 2e9*e22", fault), Deformation::logarithmic_strain).deformation(1, 1),
+      2e9);
+  EXPECT_EQ(control_quantity(*parse_quantity("2 e11", fault), Deformation::logarithmic_strain).deformation(0, 0), 2);
+  EXPECT_EQ(control_quantity(*parse_quantity("2e11", fault), Deformation::logarithmic_strain).deformation(0, 0), 2);
+  EXPECT_EQ(control_quantity(*parse_quantity("P21", fault), Deformation::logarithmic_strain).stress(1, 0), 1);
+  const ControlQuantity volume = control_quantity(*parse_quantity("s11 + 2 lnJ - J", fault), Deformation::gradient);
+  EXPECT_EQ(volume.ln_J, 2);
+  EXPECT_EQ(volume.J, -1);
+  EXPECT_FALSE(volume.is_linear_in_q());
+  // the trace of ln U is ln J
+  EXPECT_EQ(control_quantity(*parse_quantity("lnJ", fault), Deformation::logarithmic_strain).deformation,
+            Tensor(Tensor::Identity()));
   for (const char* wrong : {"", "e11 e22", "e14", "x", "e11 +", "+", "1..2 e11", "e11 + q", "s1"})
     EXPECT_FALSE(parse_quantity(wrong, fault)) << wrong;
 }
@@ -101,7 +113,6 @@ TEST(PathScene, RefusesWithOneLine) {
       {"{control: {e11: {type: sine, amplitude: 1, period: 0}}}", "period"},
       {"{control: {e11: {type: file, file: nowhere.csv}}}", "no such file"},
       {"{control: {\"e11 + e22\": 0}}", "5 rows for the 6 components of e"},
-      {"{type: undrained_triaxial, control: {F11: 0.9}}", "takes e or L"},
       {"{type: triaxial, confinement: 5, initial_stress: [1, 2, 3, 4, 5, 6], control: {e11: 0.1}}",
        "cannot be combined"},
       {"{type: biaxial, confinement: 5, control: {e11: 0.1}}", "belongs to path.type triaxial and"},
@@ -142,6 +153,18 @@ TEST(PathScene, ResolvesToItself) {
   EXPECT_EQ(once.variants[1].material.parameters.size(), 3u);
   const std::string written = resolved_path_yaml(once), again = resolved_path_yaml(scene_from(written, file));
   EXPECT_EQ(written, again);
+}
+
+TEST(PathScene, StagesResolveToThemselves) {
+  const std::string text =
+      metal +
+      "stages:\n  - {type: isotropic, initial_stress: [-1, -1, -1, 0, 0, 0], control: {s11: {type: "
+      "ramp, to: -5}}}\n  - {type: triaxial, end: 3, control: {F11: 0.9}, stop: {peak: s11}}\n";
+  const PathScene once = scene_from(text, "path.yaml");
+  ASSERT_EQ(once.later.size(), 1u);
+  EXPECT_EQ(once.later[0].end, 3);
+  const std::string written = resolved_path_yaml(once);
+  EXPECT_EQ(written, resolved_path_yaml(scene_from(written, "path.yaml")));
 }
 
 TEST(PathScene, EveryShippedPathReadsBack) {

@@ -111,6 +111,144 @@ TEST(PathTabulation, MeasuresWhatIncrementsCost) {
 }
 
 /// Three periods between two rows: each half and third of a step meets the same value.
+TEST(PathTabulation, TakesIncrementsFromTheCommandLine) {
+  const ScratchFolder scratch;
+  TabulateOptions options;
+  options.scene = scratch.write(
+      "path.yaml", plastic +
+                       "path:\n  control:\n    e11: {type: table, times: [0, 1, 2], values: [0, 0.05, 0.05]}\n"
+                       "    e12: {type: table, times: [0, 1, 2], values: [0, 0, 0.05]}\n    s22: 0\n    s33: 0\n"
+                       "expect: {finest.order: {above: 1.8}}\n");
+  options.out = scratch / "out";
+  options.verbosity = Verbosity::quiet;
+  options.increments = "16,32,64";
+  EXPECT_EQ(tabulate(options), 0);
+  const auto found = nlohmann::json::parse(bytes_of(options.out + "/result.json"));
+  ASSERT_EQ(found["increments"].size(), 3u);
+  EXPECT_EQ(found["increments"][2]["increments"], 64);
+  EXPECT_TRUE(std::filesystem::exists(options.out + "/increments_cost.png"));
+  for (const char* wrong : {"8,4", "8,,16", "a", "0,1", "1.5"}) {
+    options.increments = wrong;
+    EXPECT_NE(refusal_of([&] { tabulate(options); }).find("--increments: must be whole numbers that ascend"),
+              std::string::npos)
+        << wrong;
+  }
+}
+
+TEST(PathTabulation, PrescribesTheVolume) {
+  const Found undrained =
+      tabulated(elastic + "path: {type: undrained_triaxial, control: {F11: {type: ramp, to: 0.9}}}\n");
+  EXPECT_EQ(undrained.status, 0);
+  EXPECT_NEAR(undrained.result["last"]["J"].get<double>(), 1, 1e-12);
+  EXPECT_NEAR(undrained.result["last"]["F22"].get<double>(), 1 / std::sqrt(0.9), 1e-10);
+  // uniaxial stress driven by J: lambda ln J + mu (l2^2 - 1) = 0, and lambda / mu = 2 nu / (1 - 2 nu) = 1.5
+  for (const char* row :
+       {"J: {type: ramp, to: 1.05}", "lnJ: {type: ramp, to: 0.04879016416943201}",
+        "lnJ: {type: ramp, to: 0.04879016416943201}, F12: 0", "detF: {type: ramp, to: 1.05}, L12: 0"}) {
+    const Found found = tabulated(elastic + "path: {type: uniaxial_stress, control: {" + row + "}}\n");
+    EXPECT_EQ(found.status, 0) << row;
+    EXPECT_NEAR(found.result["last"]["F22"].get<double>(), std::sqrt(1 - 1.5 * std::log(1.05)), 1e-10) << row;
+  }
+  EXPECT_NE(refusal_of([&] { tabulated(elastic + "path: {control: {L11 + lnJ: 0.1}}\n"); }).find("with J or with lnJ"),
+            std::string::npos);
+}
+
+TEST(PathTabulation, JudgesVariants) {
+  const std::string path =
+      "path: {type: uniaxial_stress, control: {e11: {type: ramp, to: 0.05}}}\n"
+      "variants: [{label: soft, parameters: {yield_stress: 5}}, {label: same}]\n";
+  EXPECT_EQ(tabulated(plastic + path +
+                      "expect: {variants.soft.last.plastic_strain: {above: 0.04}, variants.soft.outcome: completed,\n"
+                      "         variants.same.difference: 0, variants.soft.difference: {between: [0.4, 0.5]}}\n")
+                .status,
+            0);
+  EXPECT_EQ(tabulated(plastic + path + "expect: {variants.soft.last.plastic_strain: {below: 0.04}}\n").status, 1);
+  EXPECT_NE(refusal_of([&] { tabulated(plastic + path + "expect: {variants.hard.error: 1}\n"); }).find("variants.hard"),
+            std::string::npos);
+  // a variant that does not come to its end
+  const std::string load =
+      "path: {type: uniaxial_stress, control: {tau11: {type: ramp, to: 12}}}\n"
+      "variants: [{label: ideal, parameters: {hardening_modulus: 0}}]\n";
+  EXPECT_EQ(tabulated(plastic + load).status, 1);
+  EXPECT_EQ(tabulated(plastic + load + "expect: {variants.ideal.outcome: limit_load}\n").status, 0);
+}
+
+TEST(PathTabulation, RefusesLabelsThatNameNothing) {
+  const std::string path = "path: {type: uniaxial_stress, control: {e11: 0.01}}\n";
+  EXPECT_NE(
+      refusal_of([&] { tabulated(elastic + path + "variants: [{label: \"a\\nb\"}]\n"); }).find("one line of text"),
+      std::string::npos);
+  EXPECT_NE(refusal_of([&] {
+              tabulated(elastic + path + "variants: [{label: a}, {label: a}]\n");
+            }).find("variants[1].label: 'a' is the label of another variant"),
+            std::string::npos);
+}
+
+/// Consolidated and then sheared: Drucker-Prager peaks at q (1/sqrt 3 - friction) = k + 3 friction p.
+TEST(PathTabulation, GoesOnFromStageToStage) {
+  const std::string soil =
+      "material: {adapter: drucker_prager, parameters: {E: 1.0e+7, nu: 0.3, cohesion: 1000, friction: 0.2, dilatancy: "
+      "0.1}}\n";
+  const Found found =
+      tabulated(soil +
+                "stages:\n"
+                "  - {type: isotropic, control: {tau11: {type: ramp, to: -1.0e+4}}}\n"
+                "  - {type: triaxial, end: 2, control: {e11: {type: ramp, to: -0.05}, tau22: -1.0e+4, "
+                "tau33: -1.0e+4}, stop: {below: {e11: -0.02}}}\n"
+                "  - {type: general, control: {L11: -0.01, s22 - s33: 0, lnJ: {type: ramp, to: -0.001}}}\n");
+  EXPECT_EQ(found.status, 0) << found.result["reason"];
+  EXPECT_EQ(found.result["outcome"], "completed");
+  const Found short_one = tabulated(soil +
+                                    "stages:\n"
+                                    "  - {type: isotropic, control: {tau11: {type: ramp, to: -1.0e+4}}}\n"
+                                    "  - {type: triaxial, end: 2, control: {e11: {type: ramp, to: -0.05}, tau22: "
+                                    "-1.0e+4, tau33: -1.0e+4}}\n");
+  EXPECT_NEAR(short_one.result["last"]["t"].get<double>(), 3, 1e-12);
+  const double q = (1000 + 3 * 0.2 * 1e4) / (1 / std::sqrt(3) - 0.2);
+  EXPECT_NEAR(short_one.result["last"]["tau11"].get<double>(), -1e4 - q, 1e-6 * q);
+  EXPECT_NEAR(short_one.result["last"]["tau22"].get<double>(), -1e4, 1e-6);
+  // an elastic point does not know where it rested
+  const std::string one = "path: {type: uniaxial_stress, control: {e11: {type: ramp, to: 0.03}}}\n";
+  const std::string two =
+      "stages:\n  - {type: uniaxial_stress, control: {F11: {type: ramp, to: 1.01}}}\n"
+      "  - {type: uniaxial_stress, control: {e11: {type: ramp, to: 0.03}}}\n";
+  EXPECT_NEAR(tabulated(elastic + one).result["last"]["s11"].get<double>(),
+              tabulated(elastic + two).result["last"]["s11"].get<double>(), 1e-8);
+}
+
+TEST(PathTabulation, RefusesStagesThatDoNotFollow) {
+  const std::string first = "  - {type: simple_shear, control: {F12: {type: ramp, to: 0.1}}}\n";
+  EXPECT_NE(refusal_of([&] {
+              tabulated(elastic + "stages:\n" + first + "  - {control: {e11: 0.1}}\n");
+            }).find("stages[1].control: is controlled by e"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([&] { tabulated(elastic + "stages: []\n"); }).find("must be a list of paths"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal_of([&] {
+        tabulated(elastic + "stages:\n" + first + "  - {control: {F11: 1}, initial_stress: [1, 1, 1, 0, 0, 0]}\n");
+      }).find("stages[1]: begins with the stress"),
+      std::string::npos);
+  EXPECT_NE(refusal_of([&] {
+              tabulated(elastic + "stages:\n" + first + "increments: [1, 2]\n");
+            }).find("cannot be combined with stages"),
+            std::string::npos);
+}
+
+/// One line, and nothing is written: exit status 2.
+TEST(PathTabulation, RefusesAnInitialStressThatIsNotCarried) {
+  EXPECT_NE(refusal_of([&] {
+              tabulated(elastic + "path: {control: {e11: 0.1}, initial_stress: [-1, -1, -1, 0, 0, 0]}\n");
+            }).find("path.yaml:2:45: path.initial_stress: material 'neo_hookean' does not carry it"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([&] {
+              tabulated(
+                  "material: {adapter: neo_hookean, initial_stress: [1, 1, 1, 0, 0, 0], parameters: {E: 1}}\n"
+                  "path: {control: {e11: 0.1}}\n");
+            }).find("is path.initial_stress where a point takes a path"),
+            std::string::npos);
+}
+
 TEST(PathTabulation, SeesASineThatFitsItsRows) {
   const Found found = tabulated(plastic +
                                 "path: {type: uniaxial_stress, rows: 10, control: {e11: {type: sine, amplitude: "

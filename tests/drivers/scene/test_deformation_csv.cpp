@@ -64,7 +64,7 @@ TEST(DeformationCsv, ServesASceneAndItsResolvedForm) {
   EXPECT_EQ(resolved_yaml(scene_from_text(resolved, "elsewhere.yaml")), resolved);
   const auto line = [&](const std::string& set) { return refusal_of([&] { scene_with({set}); }); };
   EXPECT_EQ(line("motion.period=2"),
-            "--set motion.period: is the time of the last row of motion.path, 1.5: leave it out");
+            "--set motion.period: is the time of the last row of motion.path, 1.5 s: leave it out");
   EXPECT_EQ(line("time.end=2"), "--set time.end: must not exceed the last time of motion.path, 1.5, found 2");
   EXPECT_EQ(line("motion.final=[[1, 0, 0], [0, 1, 0], [0, 0, 1]]"),
             "--set motion.final: cannot be combined with motion.path, which gives F at all times");

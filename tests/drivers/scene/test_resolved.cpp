@@ -111,6 +111,7 @@ TEST(Resolved, HoldsEveryKeyThatApplies) {
                  "aflip, mass: series}\nbody: {lattice: jittered}\ntime: {step: .1}\nframe: {}\n"),
       "f");
   scene.material.direction = {0.0, 1.0, 0.0};                             // of a model that has one
+  scene.material.initial_stress = {-1.0, -1.0, -1.0, 0.0, 0.0, 0.0};      // none by default
   scene.material.isolation = Isolation::none;                             // filled in with the material
   scene.body.initial_velocity.emplace();                                  // of a scene without a force
   EXPECT_TRUE(mpm::tell(scene.effects, "remedies.largest_domain", 1.0));  // of cpdi
@@ -121,6 +122,7 @@ TEST(Resolved, HoldsEveryKeyThatApplies) {
   const std::string text = resolved_yaml(scene);
   const Tree root = read_yaml(text, "resolved");
   for (const Key& key : scene_keys()) {
+    if (key.path.starts_with("units.")) continue;  // what is written in full is in SI
     const Tree* at = &root;
     std::string path = key.path;
     for (std::size_t dot; at && (dot = path.find('.')) != path.npos; path.erase(0, dot + 1))

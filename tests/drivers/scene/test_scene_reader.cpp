@@ -116,8 +116,8 @@ TEST(SceneReader, EveryShippedSceneIsRead) {
 TEST(SceneReader, RefusesUnknownKeysWithTheNearest) {
   EXPECT_EQ(
       refused_extra("grdi: {spacing: 1}\n"),
-      "f.yaml:3:1: grdi: unknown key (nearest: grid); known: title, dimension, motion, frame, material, body, grid, "
-      "method, force, traction, remedies, time, output, limits, expect");
+      "f.yaml:3:1: grdi: unknown key (nearest: grid); known: title, dimension, units, motion, frame, material, body, "
+      "grid, method, force, traction, remedies, time, output, limits, expect");
   EXPECT_EQ(refused_extra("grid: {spacng: 1}\n"),
             "f.yaml:3:8: grid.spacng: unknown key (nearest: spacing); known: spacing, offset, lower, upper");
   EXPECT_TRUE(has(refused_set("motion.amplitude.pek=1"), "--set motion.amplitude.pek: unknown key (nearest: peak)"));
@@ -305,7 +305,7 @@ TEST(SceneReader, RefusesWhatDoesNotFitTogether) {
   EXPECT_TRUE(has(refused_set("motion.final=[[1,0,0],[0,1,0],[0,0,1]]"), "does not belong to motion.type vortex"));
   EXPECT_TRUE(has(refused(homogeneous_text(), {"motion.inner=1"}),
                   "does not belong to motion.type homogeneous; known: type, "
-                  "path, interpolation, final, period, allow_unstable"));
+                  "path, interpolation, time_unit, final, period, allow_unstable"));
   EXPECT_TRUE(has(refused(homogeneous_text("body: {domain: ring}")),
                   "a ring takes its radii from the motion, and homogeneous has none"));
   EXPECT_TRUE(has(refused_set("body={domain: ring, outside: held}"), "--set body.outside: a ring alone"));
