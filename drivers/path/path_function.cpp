@@ -144,8 +144,8 @@ PathFunction read_path_function(const Tree& tree, const std::string& key, const 
   if (!type) throw InputError(tree.where, key_path(key, "type"), "required and not given", joined(function_words));
   f.type = static_cast<Type>(
       index_of(choice_value(*type, key_path(key, "type"), function_words, "docs/paths.md"), function_words));
-  for (const std::string& name : required_of(f.type)) {
-    if (!tree.find(name)) throw InputError(tree.where, key_path(key, name), "required and not given");
+  for (const std::string& row : required_of(f.type)) {
+    if (!tree.find(row)) throw InputError(tree.where, key_path(key, row), "required and not given");
   }
   read_only_rows(tree, key, rows_of(f));
   if (f.type == Type::table) check_table(tree, key, f);
