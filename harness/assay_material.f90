@@ -168,6 +168,7 @@ module assay_abi
       integer(c_int32_t) :: status
     end function assay_rate_function
 
+    ! a field (assay_role_field) has throughout the step the value that it has in state0
     function assay_tangent_function(self, step, n, state0, tangent) bind(c) result(status)
       import
       type(c_ptr), value :: self

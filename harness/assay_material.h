@@ -146,7 +146,8 @@ typedef struct assay_rate {
 } assay_rate;
 
 /* Tangent of one step: d cauchy / d F1, 81 * n, row i (component of stress), column j (component of F1):
- * tangent[(9 * i + j) * n + p], [Pa]. */
+ * tangent[(9 * i + j) * n + p], [Pa]. A field (ASSAY_ROLE_FIELD) has throughout the step the value that it has in
+ * state0: its value at t + dt is not handed over. */
 #define ASSAY_EXTENSION_TANGENT "assay.tangent/1"
 typedef struct assay_tangent {
   uint32_t struct_size;

@@ -106,7 +106,7 @@ struct ForeignModel {
   int material_class = 0;          ///< of assay_symmetry, of what is anisotropic; 0: none is declared
   std::uint32_t flags = 0;         ///< of the ABI
   int step = 1;                    ///< KSTEP
-  int arguments = 18;              ///< of a routine of LS-DYNA; 16 in older releases
+  int arguments = 18;              ///< of a routine of LS-DYNA; 12, 13 or 16 in older releases
   int element = 1, point = 1;      ///< NOEL, NPT
   bool each_its_element = false;   ///< NOEL counts points, as they begin
   bool finite_strain = false;      ///< the tangent is that of J sigma (Jaumann), and the model may read F alone

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include "adapters/foreign/foreign_table.hpp"
@@ -42,6 +43,20 @@ inline Tensor read_symmetric(const double* in, const std::array<Pair, 6>& order,
     const double value = in[k * stride] / (k < 3 ? 1 : shear);
     A(order[k][0], order[k][1]) = A(order[k][1], order[k][0]) = value;
   }
+  return A;
+}
+
+/// In an order; a model of a plane has fewer than six.
+using Components = std::span<const Pair>;
+inline constexpr std::array<Pair, 3> plane_stress_order{{{0, 0}, {1, 1}, {0, 1}}};
+
+inline void write_components(const Tensor& A, Components order, double shear, double* out) {
+  for (const auto& [i, j] : order) *out++ = (i == j ? 1 : shear) * A(i, j);
+}
+
+inline Tensor read_components(const double* in, Components order, double shear) {
+  Tensor A = Tensor::Zero();
+  for (const auto& [i, j] : order) A(i, j) = A(j, i) = *in++ / (i == j ? 1 : shear);
   return A;
 }
 

@@ -160,12 +160,12 @@ std::optional<std::size_t> place_of_varying(const ForeignModel& model, const std
   return static_cast<std::size_t>(found - model.varying.begin());
 }
 
-std::size_t bridge_variables(const ForeignModel& model) {
+std::vector<ForeignVariable> bridge_state(const ForeignModel& model) {
   ForeignModel bare = model;
   bare.state.clear();
   // in the order of the interfaces
   constexpr std::array state_of{Umat::state_of, Vumat::state_of, Mfront::state_of, Usermat::state_of, Lsdyna::state_of};
-  return state_of[static_cast<std::size_t>(model.interface)](bare).size();
+  return state_of[static_cast<std::size_t>(model.interface)](bare);
 }
 
 // weak: libassay has another in its place

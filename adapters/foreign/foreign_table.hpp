@@ -35,8 +35,9 @@ std::vector<ForeignField> varying_fields(const ForeignModel& model);
 /// Of the field of that name among them; nothing where it does not vary.
 std::optional<std::size_t> place_of_varying(const ForeignModel& model, const std::string& name);
 
-/// Variables of a point's state that the bridge keeps beside those of the model, before them.
-std::size_t bridge_variables(const ForeignModel& model);
+/// Variables of a point's state that the bridge keeps beside those of the model, before them. Behind the model's own
+/// stand its varying fields.
+std::vector<ForeignVariable> bridge_state(const ForeignModel& model);
 
 /// The bound table; lives as long as the process.
 struct ForeignTable : assay_material {

@@ -34,6 +34,11 @@ struct HostValues {
   double step_time_times = 1;     ///< of TIME(1), stepTime
   double outputs_before = 0;      ///< what DDSDDE holds before a call; not 0: stateNew, too, in place of stateOld
   std::vector<double> fields;     ///< PREDEF, fieldOld, fieldNew
+
+  /// What is added to a field that varies: by how much the host's value differs from that of the description.
+  double field_shift(const ForeignModel& model, std::size_t k) const {
+    return k < fields.size() ? fields[k] - model.fields[k].value : 0;
+  }
 };
 
 HostValues host_values_of(const ForeignModel& model);
@@ -131,6 +136,17 @@ class AbaqusBridge {
  protected:
   AbaqusBridge(const ForeignTable& table, const double* properties)
       : table_(table), properties_(properties, properties + table.model.properties.size()) {}
+
+  struct Temperature {
+    double at_begin, rise;
+  };
+  /// The host's, with what a path changes.
+  Temperature temperature_of(const PointStep& step) const {
+    const auto at = place_of_varying(model_, temperature_field);
+    if (!at) return {host_.temperature, host_.temperature_rise};
+    return {host_.temperature + step.fields0[*at] - model_.temperature,
+            host_.temperature_rise + step.fields1[*at] - step.fields0[*at]};
+  }
 
   const ForeignTable& table_;
   const ForeignModel& model_ = table_.model;

@@ -8,12 +8,50 @@
 
 namespace assay::adapters {
 
-Tensor stress_rate_of_step(const PointStep& step, const Tensor& E, const Tensor& sigma, Kinematics kinematics,
-                           bool turns, const Tensor& R, const std::function<Tensor(const Tensor&)>& moduli_on) {
-  const StepStrain rate = turns ? rate_of_corotational_step(step.F0, step.F1, E, kinematics)
-                                : rate_of_step(step.F0, step.F1, E, kinematics);
+Increment increment_of(const ForeignModel& model, const PointStep& step, std::size_t stress, std::size_t strain) {
+  Increment increment;
+  if (model.axes == Axes::corotational) {
+    const CorotationalStep c = corotational_step(step.F0, step.F1, model.kinematics);
+    increment.frame = c.R1, increment.strain = c.strain, increment.F0 = c.U0, increment.F1 = c.U1;
+  } else {
+    const StepStrain of_step = step_strain(step.F0, step.F1, model.kinematics);
+    increment.rotation = of_step.rotation, increment.strain = of_step.strain;
+    increment.F0 = step.F0, increment.F1 = step.F1;
+  }
+  const auto carried = [&](std::size_t at) {
+    return turned(read_symmetric(step.state0 + at, standard_order, plain_shear), increment.rotation);
+  };
+  increment.stress = carried(stress), increment.strain_before = carried(strain);
+  return increment;
+}
+
+Tensor moduli_in_frame(const double* moduli, Components order, const Tensor& frame, const Tensor& strain) {
+  double e[6], s[6] = {};
+  write_components(turned(strain, frame.transpose()), order, engineering_shear, e);
+  for (std::size_t j = 0; j < order.size(); ++j) {
+    for (std::size_t i = 0; i < order.size(); ++i) s[i] += *moduli++ * e[j];
+  }
+  return turned(read_components(s, order, plain_shear), frame);
+}
+
+Tensor stress_rate_of_step(const PointStep& step, const Tensor& E, const Tensor& sigma, const ForeignModel& model,
+                           const Increment& increment, const std::function<Tensor(const Tensor&)>& moduli_on) {
+  const bool turns = model.axes == Axes::corotational;
+  const StepStrain rate = turns ? rate_of_corotational_step(step.F0, step.F1, E, model.kinematics)
+                                : rate_of_step(step.F0, step.F1, E, model.kinematics);
+  const Tensor& R = turns ? increment.frame : increment.rotation;
   const Tensor w = rate.rotation * R.transpose();
-  return moduli_on(R * rate.strain * R.transpose()) + w * sigma - sigma * w;
+  return moduli_on(turned(rate.strain, R)) + w * sigma - sigma * w;
+}
+
+/// (1/J) (J sigma)^Jaumann = C : D; that of Truesdell has - D sigma - sigma D beside it.
+Tensor stress_rate_by_moduli(const PointStep& step, const Tensor& E, const Tensor& sigma, Moduli moduli,
+                             const std::function<Tensor(const Tensor&)>& moduli_on) {
+  const Tensor l = E * step.F1.inverse(), D = 0.5 * (l + l.transpose()), w = 0.5 * (l - l.transpose());
+  const bool of_tau = moduli == Moduli::jaumann_of_tau || moduli == Moduli::truesdell_of_tau;
+  Tensor objective = moduli_on(D) / (of_tau ? step.F1.determinant() : 1);
+  if (moduli == Moduli::truesdell || moduli == Moduli::truesdell_of_tau) objective += D * sigma + sigma * D;
+  return objective - D.trace() * sigma + w * sigma - sigma * w;
 }
 
 std::vector<ForeignVariable> IncrementBridge::state_with(const ForeignModel& model,
@@ -56,31 +94,11 @@ void IncrementBridge::initial_state(const Tensor& cauchy, double* state) {
   write_initial(model_.state, state + own_state_);
 }
 
-IncrementBridge::Increment IncrementBridge::increment_of(const PointStep& step) {
-  Increment increment;
-  increment.F0 = step.F0, increment.F1 = step.F1;
-  if (turns()) {
-    const CorotationalStep c = corotational_step(step.F0, step.F1, model_.kinematics);
-    frame_ = c.R1, increment.strain = c.strain;
-  } else {
-    const StepStrain turned = step_strain(step.F0, step.F1, model_.kinematics);
-    rotation_ = turned.rotation, increment.strain = turned.strain;
-  }
-  const auto carried = [&](std::size_t at) {
-    const Tensor own = read_symmetric(step.state0 + at, standard_order, plain_shear);
-    return Tensor(rotation_ * own * rotation_.transpose());
-  };
-  increment.stress = carried(own_stress), increment.strain_before = carried(own_strain);
-  increment.age = step.state0[own_time];
-  strain_after_ = increment.strain_before + increment.strain;
-  return increment;
-}
-
 void IncrementBridge::call(const PointStep& step) {
   require_served(model_, step.F0, step.F1);
-  const Increment increment = increment_of(step);
+  increment_ = increment_of(model_, step, own_stress, own_strain);
   to_foreign(layout_, model_.state, step.state0 + own_state_, arrays_[state_array()]);
-  hand_over(step, increment);
+  hand_over(step, increment_);
   inputs_.keep(arrays_);
   if (surroundings_.lent()) surroundings_.lend(arrays_);
   probe_.lend(arrays_);
@@ -97,9 +115,9 @@ void IncrementBridge::update(const PointStep& step, PointEnd& end) {
   call(step);
   if (probe_.is_due()) probe_.look(arrays_, {stress_array(), state_array()}, state_name_, [&] { call(step); });
   const Tensor found = stress();
-  end.cauchy = frame_ * found * frame_.transpose();
+  end.cauchy = turned(found, increment_.frame);
   write_symmetric(found, standard_order, plain_shear, end.state1 + own_stress);
-  write_symmetric(strain_after_, standard_order, plain_shear, end.state1 + own_strain);
+  write_symmetric(increment_.strain_after(), standard_order, plain_shear, end.state1 + own_strain);
   end.state1[own_time] = step.state0[own_time] + step.dt;
   keep_scalars(end.state1 + own_scalars);
   from_foreign(layout_, model_.state, arrays_[state_array()], end.state1 + own_state_);

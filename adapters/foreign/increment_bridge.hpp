@@ -15,10 +15,31 @@
 
 namespace assay::adapters {
 
-/// d sigma along dF1 = E where the stress turns with the step, or with the frame of R: of moduli d stress / d strain
-/// increment in these axes. R: rotation of the step, or frame at its end. moduli_on: of a strain, in the axes of space.
-Tensor stress_rate_of_step(const PointStep& step, const Tensor& E, const Tensor& sigma, Kinematics kinematics,
-                           bool turns, const Tensor& R, const std::function<Tensor(const Tensor&)>& moduli_on);
+/// Of one step, in units of SI and in the axes of the model. Where these turn with the body, F0 and F1 are stretches.
+struct Increment {
+  Tensor stress, strain_before, strain, F0, F1;
+  Tensor frame = Tensor::Identity();     ///< axes of the model at the end of the step
+  Tensor rotation = Tensor::Identity();  ///< of the step, where the axes are those of space
+
+  Tensor strain_after() const { return strain_before + strain; }
+};
+
+/// stress, strain: where they begin in the state of a point.
+Increment increment_of(const ForeignModel& model, const PointStep& step, std::size_t stress, std::size_t strain);
+
+inline Tensor turned(const Tensor& A, const Tensor& R) { return R * A * R.transpose(); }
+
+/// What moduli, column by column in axes of a frame, make of a strain in those of space.
+Tensor moduli_in_frame(const double* moduli, Components order, const Tensor& frame, const Tensor& strain);
+
+/// d sigma along dF1 = E where the stress turns with the step, or with the frame: of moduli d stress / d strain
+/// increment in these axes. moduli_on: of a strain, in the axes of space.
+Tensor stress_rate_of_step(const PointStep& step, const Tensor& E, const Tensor& sigma, const ForeignModel& model,
+                           const Increment& increment, const std::function<Tensor(const Tensor&)>& moduli_on);
+
+/// The same where moduli give a rate of J sigma, over J, or one of tau (foreign_model.hpp), in any axes.
+Tensor stress_rate_by_moduli(const PointStep& step, const Tensor& E, const Tensor& sigma, Moduli moduli,
+                             const std::function<Tensor(const Tensor&)>& moduli_on);
 
 class IncrementBridge : public AbaqusBridge {
  public:
@@ -38,12 +59,6 @@ class IncrementBridge : public AbaqusBridge {
   IncrementBridge(const ForeignTable& table, const double* properties, const StateLayout& layout, std::string words,
                   const char* state_name, std::size_t scalars);
 
-  /// Of one call, in units of SI and in the axes of the model.
-  struct Increment {
-    Tensor stress, strain_before, strain, F0, F1;
-    double age = 0;
-  };
-
   void make_arrays(std::size_t fence);  ///< to be called when the derived class is made
   virtual void add_arrays() = 0;        ///< outputs, then inputs behind inputs_.begin
   virtual void fill_once() = 0;         ///< what does not change from call to call
@@ -56,7 +71,7 @@ class IncrementBridge : public AbaqusBridge {
   virtual void keep_scalars(double* scalars) const = 0;
 
   void call(const PointStep& step);
-  bool turns() const { return model_.axes == Axes::corotational; }
+  double age_of(const PointStep& step) const { return step.state0[own_time]; }
   const double* scalars_of(const PointStep& step) const { return step.state0 + own_scalars; }
 
   static constexpr std::size_t own_stress = 0, own_strain = 6, own_time = 12, own_scalars = 13;
@@ -64,15 +79,11 @@ class IncrementBridge : public AbaqusBridge {
   std::size_t own_state_;  ///< of a point, before that of the model
   GuardedArrays arrays_;
   InputWatch inputs_;
-  Tensor frame_ = Tensor::Identity();     ///< axes of the model at the end of the step
-  Tensor rotation_ = Tensor::Identity();  ///< of the step, where the axes are those of space
+  Increment increment_;  ///< of the last call
 
  private:
-  Increment increment_of(const PointStep& step);
-
   std::string words_;
   const char* state_name_;
-  Tensor strain_after_ = Tensor::Zero();
 };
 
 }  // namespace assay::adapters

@@ -58,15 +58,14 @@ void Lsdyna::fill_once() {
 void Lsdyna::hand_over(const PointStep& step, const Increment& increment) {
   write_symmetric(increment.stress / model_.units.stress, explicit_order, plain_shear, arrays_[stress_]);
   write_symmetric(increment.strain, explicit_order, engineering_shear, arrays_[strain_]);
-  F_ = turns() ? Tensor(frame_.transpose() * increment.F1) : increment.F1;
+  F_ = increment.F1;
   if (model_.finite_strain) write_column_major(F_, arrays_[history_] + history_size_);
   arrays_[scalars_][0] = *scalars_of(step);
   double* given = arrays_[given_];
   given[lsdyna_dt] = step.dt / model_.units.time, given[lsdyna_capa] = shear_factor;
-  given[lsdyna_time] = increment.age / model_.units.time;
-  given[lsdyna_temper] = host_.temperature, given[lsdyna_length] = host_.length;
-  if (const auto at = place_of_varying(model_, temperature_field))
-    given[lsdyna_temper] += step.fields1[*at] - model_.temperature;
+  given[lsdyna_time] = age_of(step) / model_.units.time;
+  const Temperature temperature = temperature_of(step);
+  given[lsdyna_temper] = temperature.at_begin + temperature.rise, given[lsdyna_length] = host_.length;
   fails_ = rejects_ = 0, element_ = host_.element;
 }
 
@@ -77,14 +76,21 @@ void Lsdyna::call_entry() {
          *dt = given + lsdyna_dt, *capa = given + lsdyna_capa, *tt = given + lsdyna_time,
          *temper = given + lsdyna_temper, *length = given + lsdyna_length;
   const std::size_t letters = std::strlen(element_type);
-  constexpr int of_older_releases = 16;
-  if (model_.arguments == of_older_releases) {
-    reinterpret_cast<LsdynaEntryOf16>(table_.entry)(cm, eps, sig, epsp, hsv, dt, capa, element_type, tt, temper,
-                                                    &fails_, crv, cma, qmat, length, &element_, letters);
-  } else {
-    reinterpret_cast<LsdynaEntry>(table_.entry)(cm, eps, sig, epsp, hsv, dt, capa, element_type, tt, temper, &fails_,
-                                                crv, arrays_[counts_], cma, qmat, length, &element_, &rejects_,
-                                                letters);
+  switch (model_.arguments) {
+    case 12:
+      return reinterpret_cast<LsdynaEntryOf12>(table_.entry)(cm, eps, sig, epsp, hsv, dt, capa, element_type, tt,
+                                                             temper, &fails_, crv, letters);
+    case 13:
+      return reinterpret_cast<LsdynaEntryOf13>(table_.entry)(cm, eps, sig, epsp, hsv, dt, capa, element_type, tt,
+                                                             temper, &fails_, crv, arrays_[counts_], letters);
+    case 16:
+      return reinterpret_cast<LsdynaEntryOf16>(table_.entry)(cm, eps, sig, epsp, hsv, dt, capa, element_type, tt,
+                                                             temper, &fails_, crv, cma, qmat, length, &element_,
+                                                             letters);
+    default:
+      return reinterpret_cast<LsdynaEntry>(table_.entry)(cm, eps, sig, epsp, hsv, dt, capa, element_type, tt, temper,
+                                                         &fails_, crv, arrays_[counts_], cma, qmat, length, &element_,
+                                                         &rejects_, letters);
   }
 }
 

@@ -45,6 +45,13 @@ using LsdynaEntryOf16 = void (*)(
     double* cm, double* eps, double* sig, double* epsp, double* hsv, double* dt1, double* capa, const char* etype,
     double* tt, double* temper, std::int64_t* failel, double* crv, double* cma, double* qmat,
     double* elsiz, std::int64_t* idele, std::size_t etype_length);
+/// Up to crv, and up to nnpcrv.
+using LsdynaEntryOf12 = void (*)(
+    double* cm, double* eps, double* sig, double* epsp, double* hsv, double* dt1, double* capa, const char* etype,
+    double* tt, double* temper, std::int64_t* failel, double* crv, std::size_t etype_length);
+using LsdynaEntryOf13 = void (*)(
+    double* cm, double* eps, double* sig, double* epsp, double* hsv, double* dt1, double* capa, const char* etype,
+    double* tt, double* temper, std::int64_t* failel, double* crv, double* nnpcrv, std::size_t etype_length);
 // clang-format on
 
 }  // namespace assay::adapters

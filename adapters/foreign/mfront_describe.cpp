@@ -91,12 +91,13 @@ void Mfront::describe(const MfrontBehaviour& behaviour, ForeignModel& model) {
   std::vector<ForeignField> fields;
   const auto varies = [&](const std::string& name, double value) {
     if (!place_of_varying(model, name)) return false;
+    if (std::isnan(value)) throw ModelRefused("varying." + name, "`properties` must give its value");
     fields.push_back({name, value});
     return true;
   };
   const auto said_of = [&](const std::string& name) {
     const auto own = std::ranges::find(said, name, &ForeignProperty::name);
-    return own != said.end() && std::isfinite(own->value) ? own->value : 0;
+    return own != said.end() && std::isfinite(own->value) ? own->value : NAN;
   };
   for (const std::string& name : behaviour.prepended) {
     if (!varies(name, said_of(name))) add(name, "elastic constant, asked for by the behaviour", NAN);

@@ -134,7 +134,7 @@ void require_consistent(const Symbols& symbols, const MfrontBehaviour& behaviour
   const std::vector<MfrontVariable> hypotheses = symbols.variables("ModellingHypotheses", "");
   if (has_name(hypotheses, symbols.hypothesis())) return;
   throw ModelRefused(
-      "symbol",
+      "hypothesis",
       "behaviour '" + behaviour.name + "' does not name the hypothesis " + symbols.hypothesis() + " among its own",
       hypotheses.empty() ? "none" : listed_names(hypotheses));
 }
@@ -204,7 +204,7 @@ MfrontBehaviour mfront_behaviour(void* library, const std::string& name, const s
   require_served(symbols, behaviour);
   behaviour.entry = dlsym(library, (name + "_" + hypothesis).c_str());
   if (!behaviour.entry) {
-    throw ModelRefused("symbol", "behaviour '" + name + "' has no function for the hypothesis " + hypothesis);
+    throw ModelRefused("hypothesis", "behaviour '" + name + "' has no function for the hypothesis " + hypothesis);
   }
   require_consistent(symbols, behaviour);
   behaviour.orthotropic = symbols.number("SymmetryType") != 0;

@@ -8,7 +8,6 @@
 
 #include "adapters/foreign/foreign_library.hpp"
 #include "adapters/foreign/foreign_state.hpp"
-#include "adapters/foreign/kinematics.hpp"
 #include "adapters/foreign/membrane.hpp"
 
 namespace assay::adapters {
@@ -53,6 +52,8 @@ std::vector<ForeignVariable> Umat::state_of(const ForeignModel& model) {
 Umat::Umat(const ForeignTable& table, const double* properties)
     : AbaqusBridge(table, properties),
       ntens_(components_served(model_)),
+      components_(is_plane_stress() ? Components(plane_stress_order)
+                                    : Components(standard_order).first(static_cast<std::size_t>(ntens_))),
       nstatv_(foreign_state_size(model_.state)),
       own_state_(umat_state_count + (model_.each_its_element ? 1 : 0)) {
   make_arrays(GuardedArrays::usual_fence);
@@ -145,31 +146,13 @@ void Umat::initial_state(const Tensor& cauchy, double* state) {
 }
 
 void Umat::hand_over_tensors(const PointStep& step) {
-  Tensor strain, F0 = step.F0, F1 = step.F1;
-  if (turns()) {
-    const CorotationalStep c = corotational_step(step.F0, step.F1, model_.kinematics);
-    frame_ = c.R1, strain = c.strain, F0 = c.U0, F1 = c.U1;
-  } else {
-    const StepStrain increment = step_strain(step.F0, step.F1, model_.kinematics);
-    rotation_ = increment.rotation, strain = increment.strain;
-  }
-  const auto put = [&](const Tensor& A, double shear, std::size_t array) {
-    double six[6];
-    write_symmetric(A, standard_order, shear, six);
-    for (std::size_t k = 0; k < arrays_.size(array); ++k) arrays_[array][k] = six[place(k)];
-  };
-  const auto turned = [&](std::size_t at) {
-    const Tensor own = read_symmetric(step.state0 + at, standard_order, plain_shear);
-    return Tensor(rotation_ * own * rotation_.transpose());
-  };
-  const Tensor strain_before = turned(umat_strain);
-  put(turned(umat_stress) / model_.units.stress, plain_shear, stress_);
-  put(strain_before, engineering_shear, stran_);
-  put(strain, engineering_shear, dstran_);
-  strain_after_ = strain_before + strain;
-  write_column_major(rotation_, arrays_[drot_]);
-  write_column_major(F0, arrays_[dfgrd0_]);
-  write_column_major(F1, arrays_[dfgrd1_]);
+  increment_ = increment_of(model_, step, umat_stress, umat_strain);
+  write_components(increment_.stress / model_.units.stress, components_, plain_shear, arrays_[stress_]);
+  write_components(increment_.strain_before, components_, engineering_shear, arrays_[stran_]);
+  write_components(increment_.strain, components_, engineering_shear, arrays_[dstran_]);
+  write_column_major(increment_.rotation, arrays_[drot_]);
+  write_column_major(increment_.F0, arrays_[dfgrd0_]);
+  write_column_major(increment_.F1, arrays_[dfgrd1_]);
 }
 
 /// The clock is the point's own: a step of a loaded point is never the first, whatever t is.
@@ -186,16 +169,12 @@ void Umat::hand_over_scalars(const PointStep& step) {
   s[pnewdt] = 1;
   double* given = arrays_[given_];
   given[dtime] = step.dt / model_.units.time;
-  given[temp] = host_.temperature;
-  given[dtemp] = host_.temperature_rise;
-  if (const auto at = place_of_varying(model_, temperature_field)) {
-    given[temp] += step.fields0[*at] - model_.temperature;
-    given[dtemp] += step.fields1[*at] - step.fields0[*at];
-  }
+  const Temperature temperature = temperature_of(step);
+  given[temp] = temperature.at_begin, given[dtemp] = temperature.rise;
   for (std::size_t k = 0; k < model_.fields.size(); ++k) {
     const auto at = place_of_varying(model_, model_.fields[k].name);
     if (!at) continue;
-    arrays_[predef_][k] = step.fields0[*at];
+    arrays_[predef_][k] = step.fields0[*at] + host_.field_shift(model_, k);
     arrays_[dpred_][k] = step.fields1[*at] - step.fields0[*at];
   }
   given[celent] = host_.length;
@@ -239,9 +218,7 @@ void Umat::call(const PointStep& step) {
 }
 
 Tensor Umat::stress() const {
-  double six[6] = {};
-  for (std::size_t k = 0; k < arrays_.size(stress_); ++k) six[place(k)] = arrays_[stress_][k];
-  return model_.units.stress * read_symmetric(six, standard_order, plain_shear);
+  return model_.units.stress * read_components(arrays_[stress_], components_, plain_shear);
 }
 
 PointStep Umat::of_model(PointStep step) const {
@@ -254,10 +231,10 @@ void Umat::update(const PointStep& given, PointEnd& end) {
   call(step);
   if (probe_.is_due()) probe_.look(arrays_, {stress_, statev_}, "STATEV", [&] { call(step); });
   const Tensor found = stress();
-  end.cauchy = turns() ? Tensor(frame_ * found * frame_.transpose()) : found;
+  end.cauchy = turns() ? turned(found, increment_.frame) : found;
   if (is_plane_stress()) end.cauchy *= membrane_factor(model_, given.F1);
   write_symmetric(found, standard_order, plain_shear, end.state1 + umat_stress);
-  write_symmetric(strain_after_, standard_order, plain_shear, end.state1 + umat_strain);
+  write_symmetric(increment_.strain_after(), standard_order, plain_shear, end.state1 + umat_strain);
   for (std::size_t k = 0; k < 3; ++k) end.state1[umat_energies + k] = model_.units.stress * arrays_[scalars_][sse + k];
   end.state1[umat_time] = step.state0[umat_time] + step.dt;
   if (model_.each_its_element) end.state1[umat_element] = step.state0[umat_element];

@@ -8,6 +8,7 @@
 
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/foreign/host_values.hpp"
+#include "adapters/foreign/increment_bridge.hpp"
 #include "adapters/foreign/written_inputs.hpp"
 
 namespace assay::adapters {
@@ -44,19 +45,17 @@ class Umat final : public AbaqusBridge {
   std::optional<std::string> call_entry();
   Tensor stress() const;  ///< in the axes of the model [Pa]
   bool turns() const { return model_.axes == Axes::corotational; }
-  /// Of component k the place among six.
-  std::size_t place(std::size_t k) const { return is_plane_stress() && k == 2 ? 3 : k; }
   /// With the thickness of the host, where the model has none of its own.
   PointStep of_model(PointStep step) const;
   Tensor moduli_on(const Tensor& strain) const;
   Tensor small_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const;
   Tensor finite_strain_rate(const PointStep& step, const Tensor& E, const Tensor& sigma) const;
 
-  int ntens_, nstatv_;
+  int ntens_;
+  Components components_;
+  int nstatv_;
   std::size_t own_state_;  ///< of a point, before STATEV
-  Tensor strain_after_ = Tensor::Zero();
-  Tensor frame_ = Tensor::Identity();     ///< axes of the model at the end of the step
-  Tensor rotation_ = Tensor::Identity();  ///< DROT
+  Increment increment_;
   Integers integers_{};
   InputWatch inputs_;
   GuardedArrays arrays_;

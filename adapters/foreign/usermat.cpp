@@ -27,12 +27,12 @@ std::vector<ForeignVariable> Usermat::state_of(const ForeignModel& model) {
 
 Usermat::Usermat(const ForeignTable& table, const double* properties)
     : IncrementBridge(table, properties, usermat_layout, "the USERMAT", "ustatev", usermat_own + 6),
-      components_(static_cast<std::size_t>(components_served(model_))) {
+      components_(Components(explicit_order).first(static_cast<std::size_t>(components_served(model_)))) {
   make_arrays(GuardedArrays::usual_fence);
 }
 
 void Usermat::add_arrays() {
-  const std::size_t n = components_;
+  const std::size_t n = components_.size();
   stress_ = arrays_.add("stress", n);
   state_ = arrays_.add("ustatev", static_cast<std::size_t>(foreign_state_size(model_.state)));
   moduli_ = arrays_.add("dsdePl", n * n);
@@ -61,7 +61,7 @@ void Usermat::fill_once() {
   std::copy(properties_.begin(), properties_.end(), arrays_[properties_at_]);
   std::copy_n(host_.place.data(), 3, arrays_[place_]);
   write_column_major(Tensor::Identity(), arrays_[turn_]);
-  const int n = static_cast<int>(components_);
+  const int n = static_cast<int>(components_.size());
   integers_ = {1,
                host_.element,
                host_.point,
@@ -78,18 +78,16 @@ void Usermat::fill_once() {
 
 void Usermat::hand_over(const PointStep& step, const Increment& increment) {
   const auto put = [&](const Tensor& A, double shear, std::size_t array) {
-    double six[6];
-    write_symmetric(A, explicit_order, shear, six);
-    std::copy_n(six, components_, arrays_[array]);
+    write_components(A, components_, shear, arrays_[array]);
   };
   put(increment.stress / model_.units.stress, plain_shear, stress_);
   put(increment.strain_before, engineering_shear, strain_);
   put(increment.strain, engineering_shear, strain_increment_);
-  write_column_major(increment.F0, arrays_[F0_]);
-  write_column_major(increment.F1, arrays_[F1_]);
+  write_column_major(step.F0, arrays_[F0_]);
+  write_column_major(step.F1, arrays_[F1_]);
   const double* own = scalars_of(step);
   const Tensor plastic = read_symmetric(own + usermat_own, standard_order, plain_shear);
-  put(rotation_ * plastic * rotation_.transpose(), engineering_shear, plastic_);
+  put(turned(plastic, increment.rotation), engineering_shear, plastic_);
   double* s = arrays_[scalars_];
   s[sed_el] = own[sed_el] / model_.units.stress, s[sed_pl] = own[sed_pl] / model_.units.stress;
   s[eps_eq] = own[eps_eq], s[eps_zz] = 0;
@@ -97,14 +95,11 @@ void Usermat::hand_over(const PointStep& step, const Increment& increment) {
   arrays_.fill(others_, 0);
   arrays_.fill(moduli_, host_.outputs_before);
   double* given = arrays_[given_];
-  given[usermat_time] = increment.age / model_.units.time + (model_.step - 1);
+  given[usermat_time] = age_of(step) / model_.units.time + (model_.step - 1);
   given[usermat_dtime] = step.dt / model_.units.time;
-  given[usermat_temp] = host_.temperature, given[usermat_dtemp] = host_.temperature_rise;
-  if (const auto at = place_of_varying(model_, temperature_field)) {
-    given[usermat_temp] += step.fields0[*at] - model_.temperature;
-    given[usermat_dtemp] += step.fields1[*at] - step.fields0[*at];
-  }
-  integers_.substep = host_.increment.value_or(increment.age > 0 ? 2 : 1);
+  const Temperature temperature = temperature_of(step);
+  given[usermat_temp] = temperature.at_begin, given[usermat_dtemp] = temperature.rise;
+  integers_.substep = host_.increment.value_or(age_of(step) > 0 ? 2 : 1);
   keycut_ = 0;
 }
 
@@ -131,40 +126,32 @@ void Usermat::require_good() const {
 }
 
 Tensor Usermat::stress() const {
-  double six[6] = {};
-  std::copy_n(arrays_[stress_], components_, six);
-  return model_.units.stress * read_symmetric(six, explicit_order, plain_shear);
+  return model_.units.stress * read_components(arrays_[stress_], components_, plain_shear);
 }
 
 void Usermat::keep_scalars(double* scalars) const {
   const double* s = arrays_[scalars_];
   scalars[sed_el] = s[sed_el] * model_.units.stress, scalars[sed_pl] = s[sed_pl] * model_.units.stress;
   scalars[eps_eq] = s[eps_eq];
-  double six[6] = {};
-  std::copy_n(arrays_[plastic_], components_, six);
-  write_symmetric(read_symmetric(six, explicit_order, engineering_shear), standard_order, plain_shear,
+  write_symmetric(read_components(arrays_[plastic_], components_, engineering_shear), standard_order, plain_shear,
                   scalars + usermat_own);
 }
 
 /// dsdePl, column by column, on a strain in the axes of space [Pa].
 Tensor Usermat::moduli_on(const Tensor& strain) const {
-  const double* moduli = arrays_[moduli_];
-  double e[6], s[6] = {};
-  write_symmetric(Tensor(frame_.transpose() * strain * frame_), explicit_order, engineering_shear, e);
-  for (std::size_t j = 0; j < components_; ++j) {
-    for (std::size_t i = 0; i < components_; ++i) s[i] += moduli[j * components_ + i] * e[j];
-  }
-  return model_.units.stress * frame_ * read_symmetric(s, explicit_order, plain_shear) * frame_.transpose();
+  return model_.units.stress * moduli_in_frame(arrays_[moduli_], components_, increment_.frame, strain);
 }
 
 void Usermat::tangent(const PointStep& step, double* tangent) {
   call(step);
-  const Tensor sigma = frame_ * stress() * frame_.transpose();
+  const Tensor sigma = turned(stress(), increment_.frame);
   for (int column = 0; column < 9; ++column) {
     Tensor E = Tensor::Zero();
     component(E, column) = 1;
-    const Tensor d = stress_rate_of_step(step, E, sigma, model_.kinematics, turns(), turns() ? frame_ : rotation_,
-                                         [this](const Tensor& strain) { return moduli_on(strain); });
+    const auto on = [this](const Tensor& strain) { return moduli_on(strain); };
+    const Tensor d = model_.finite_strain  // which no description says: it is tried
+                         ? stress_rate_by_moduli(step, E, sigma, model_.moduli, on)
+                         : stress_rate_of_step(step, E, sigma, model_, increment_, on);
     for (int row = 0; row < 9; ++row) tangent[9 * row + column] = component(d, row);
   }
 }

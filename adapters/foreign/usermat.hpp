@@ -31,7 +31,7 @@ class Usermat final : public IncrementBridge {
   void keep_scalars(double* scalars) const override;
   Tensor moduli_on(const Tensor& strain) const;
 
-  std::size_t components_;
+  Components components_;
   Integers integers_{};
   int keycut_ = 0;
   std::size_t stress_ = 0, state_ = 0, moduli_ = 0, plastic_ = 0, scalars_ = 0, shear_ = 0, others_ = 0, strain_ = 0,

@@ -151,7 +151,8 @@ void Vumat::hand_over_fields(Block& block, const Part& part, const double* state
     }
   };
   put(temperature_field, block.temperature, 0, host_.temperature - model_.temperature);
-  for (std::size_t k = 0; k < model_.fields.size(); ++k) put(model_.fields[k].name, block.fields, k, 0);
+  for (std::size_t k = 0; k < model_.fields.size(); ++k)
+    put(model_.fields[k].name, block.fields, k, host_.field_shift(model_, k));
 }
 
 void Vumat::hand_over(Block& block, const assay_step& step, const Part& part, const double* state0) {

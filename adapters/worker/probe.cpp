@@ -73,7 +73,8 @@ std::string fault_of(const Forked& found, const std::string& when, const std::st
 
 }  // namespace
 
-void try_library(const std::string& path) {
+// weak: libassay has another in its place
+[[gnu::weak]] void try_library(const std::string& path) {
   check_shared_library(path);
   constexpr char between = '\x1f';  // of an error's two parts
   const auto load = [&] {

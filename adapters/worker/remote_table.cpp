@@ -8,6 +8,7 @@
 
 #include "adapters/worker/remote_instance.hpp"
 #include "harness/material/material_failure.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay::adapters {
 
@@ -104,12 +105,13 @@ void* create_remote(const assay_material* table, const double* parameters, char*
 }
 
 /// Of a batch in which the worker died: the first point that ends a worker when it is alone. None: reason says so.
-std::size_t point_that_ends(Instance& instance, const assay_step& step, std::size_t n, const double* state0) {
+std::size_t point_that_ends(Instance& instance, const assay_step& step, std::size_t n, const double* state0,
+                            const double* state1) {
   const std::string reason = instance.reason;
   for (std::size_t p = 0; p < n; ++p) {
-    if (ends_worker(instance,
-                    failed_step(step.t, step.dt, n, p, step.F0, step.F1, state0, instance.table().state_size)))
-      return p;
+    FailedStep alone = failed_step(step.t, step.dt, n, p, step.F0, step.F1, state0, instance.table().state_size);
+    for (const std::size_t c : fields_of(instance.table())) alone.fields1.push_back(state1[c * n + p]);
+    if (ends_worker(instance, alone)) return p;
   }
   instance.reason = reason + " in a batch of " + std::to_string(n) + " points, by none of them alone";
   return 0;
@@ -195,7 +197,7 @@ void update_remote(void* self, const assay_step* step, std::size_t n, const doub
   } catch (const std::exception& error) {
     instance.reason = error.what();
   }
-  if (point == no_point) point = n > 1 ? point_that_ends(instance, *step, n, state0) : 0;
+  if (point == no_point) point = n > 1 ? point_that_ends(instance, *step, n, state0, state1) : 0;
   std::fill_n(status, n, ASSAY_GOOD);
   status[std::min(point, n - 1)] = ASSAY_FAILED;
   *dt_factor = 0;
@@ -205,7 +207,9 @@ void update_remote(void* self, const assay_step* step, std::size_t n, const doub
 bool ends_worker(Instance& instance, const FailedStep& step) {
   double F0[9], F1[9], cauchy[9] = {}, dt_factor = 1;
   for (int c = 0; c < 9; ++c) F0[c] = component(step.F0, c), F1[c] = component(step.F1, c);
-  std::vector<double> state1(step.state0.size());
+  std::vector<double> state1 = step.state0;
+  const std::vector<std::size_t> fields = fields_of(instance.table());
+  for (std::size_t k = 0; k < step.fields1.size(); ++k) state1[fields[k]] = step.fields1[k];
   const assay_step one{step.t, step.dt, F0, F1};
   std::int32_t status = ASSAY_GOOD;
   char message[ASSAY_MESSAGE_SIZE] = "";

@@ -134,7 +134,9 @@ CheckedMaterial check_one(const CheckOptions& options) {
                      },
                      adapters::start_of(&resolved.material.table()).limits, how.effort.strain_is_asked};
   };
-  return check_each(options, 1, task_of).front();
+  CheckedMaterial checked = check_each(options, 1, task_of).front();
+  checked.warnings = resolved.warnings;  // also where its process has ended
+  return checked;
 }
 
 std::vector<CheckedMaterial> check_all(const CheckOptions& options) {

@@ -181,7 +181,16 @@ std::string demanded(const std::string& how, std::ptrdiff_t count) {
   return how + " " + std::to_string(count) + " numbers";
 }
 
-check::Diagnosis of_state(const std::string& array, const Place& place, const ArrayPlaces& written) {
+/// Whether what is read lies in the nine numbers right behind the declared state, and ends with them. A component of F
+/// that changes no answer while the others are zero is not among what is found.
+bool reads_a_gradient(const Place& place) {
+  constexpr std::size_t of_gradient = 9, most_of_them = 5;
+  const auto size = static_cast<std::ptrdiff_t>(place.size);
+  return place.indices.size() >= most_of_them && place.indices.front() > size &&
+         place.last() == size + static_cast<std::ptrdiff_t>(of_gradient);
+}
+
+check::Diagnosis of_state(const std::string& array, const Place& place, const ArrayPlaces& written, bool may_be_F) {
   const std::string output = array == "stateOld" ? "stateNew" : array;
   const auto also = written.find(output);
   std::ptrdiff_t needed = place.last();
@@ -190,9 +199,14 @@ check::Diagnosis of_state(const std::string& array, const Place& place, const Ar
     needed = std::max(needed, also->second.last());
     words += " and writes " + elements_of(output, also->second);
   }
-  return {check::causes::state_undeclared, words + counted(place.size, "declared") + ": " +
-                                               (place.size == 0 ? "write `state: " + std::to_string(needed) + "`"
-                                                                : demanded("`state` must declare", needed))};
+  const bool is_F = may_be_F && also == written.end() && reads_a_gradient(place);
+  return {check::causes::state_undeclared,
+          words + counted(place.size, "declared") + ": " +
+              (is_F ? "F stands there with IHYPER = 1: declare `strain: finite`; if it "
+                      "is not F that is read, "
+                    : "") +
+              (place.size == 0 ? "write `state: " + std::to_string(needed) + "`"
+                               : demanded("`state` must declare", needed))};
 }
 
 check::Diagnosis of_properties(const std::string& array, const Place& place) {
@@ -217,13 +231,13 @@ check::Diagnosis of_others(const std::string& array, const Place& place, const s
 }
 
 /// The first of what tells of a description that is not whole, or, where none does, of one overrun.
-std::vector<check::Diagnosis> causes_of(const Beyonds& found) {
+std::vector<check::Diagnosis> causes_of(const Beyonds& found, bool may_be_F) {
   const ArrayPlaces read = by_array(found.read), written = by_array(found.written);
   std::vector<check::Diagnosis> causes;
   for (const auto& [array, place] : read) {
     if (place.last() <= 0) continue;
     if (is_of_properties(array)) causes.push_back(of_properties(array, place));
-    if (is_of_state(array)) causes.push_back(of_state(array, place, written));
+    if (is_of_state(array)) causes.push_back(of_state(array, place, written, may_be_F));
   }
   if (!causes.empty()) return causes;
   if (!read.empty()) return {of_others(read.begin()->first, read.begin()->second, "reads")};
@@ -248,8 +262,8 @@ std::string ranges_of(const std::vector<std::ptrdiff_t>& indices) {
   return text;
 }
 
-ForeignFinding judged_beyond(const Beyonds& found) {
-  ForeignFinding finding{{.id = beyond_test, .measure = 0, .threshold = 0}, causes_of(found)};
+ForeignFinding judged_beyond(const Beyonds& found, bool may_be_F) {
+  ForeignFinding finding{{.id = beyond_test, .measure = 0, .threshold = 0}, causes_of(found, may_be_F)};
   check::TestResult& test = finding.test;
   test.sentence = "no step reads or writes beyond the arrays that are passed to it";
   if (finding.causes.empty()) return finding;
@@ -270,7 +284,8 @@ std::optional<ForeignFinding> goes_beyond(const ResolvedMaterial& material, cons
   if (!found)
     return ForeignFinding{
         not_applicable(beyond_test, "the process in which it was looked for has ended, or took too long")};
-  return judged_beyond(*found);
+  const bool may_be_F = is_of(material, adapters::ForeignInterface::lsdyna) && !material.foreign->finite_strain;
+  return judged_beyond(*found, may_be_F);
 }
 
 }  // namespace assay::drivers

@@ -71,6 +71,7 @@ Fills filled_by(const Described& described, const std::map<std::string, double>&
   if (is_of_plane_stress(of_11, of_33, of_12)) return Fills::plane_stress;
   // One whose 13 and 23 are exchanged fills six, too.
   const double in_plane = of_12[shear_12], out_of_plane = std::max(of_13[shear_13], of_13[shear_23]);
+  if (!std::isfinite(in_plane) || !std::isfinite(of_13[shear_13])) return Fills::unknown;  // a step was refused
   const bool alike = out_of_plane > little * in_plane && out_of_plane < much * in_plane;
   return alike ? Fills::six : Fills::plane_strain;
 }
@@ -98,17 +99,41 @@ CheckedMaterial with_four(const CheckedMaterial& checked, const Described& descr
   return check_in_processes({CheckTask{checked.name, run}}, how).front();
 }
 
-/// Of what was tried with four components.
+constexpr const char *with_key = "with components: [4] in its description ",
+                     *of_plane = "it passes: it fills the components of plane strain alone",
+                     *of_six = "; as a model of six components: ";
+
+/// What was tried with four components; empty: it tells nothing.
 std::string words_of(const check::Report& six, const check::Report& four) {
   using namespace check::causes;
-  const std::string key = "; with components: [4] in its description ";
-  if (four.passes()) return key + "it passes: it fills the components of plane strain alone";
+  if (four.passes()) return std::string(with_key) + of_plane;
   const auto passed = [](const check::Report& of) { return count_of(of, check::Verdict::pass); };
   const auto failed = [](const check::Report& of) { return count_of(of, check::Verdict::fail); };
   const bool reaches_more = passed(four) > 2 * passed(six) || 2 * failed(four) < failed(six);
   const bool may_overrun = diagnosed(four, {hidden_state, not_finite, overrun, ends_process});  // an array of four
   if (!reaches_more || may_overrun) return "";
-  return key + "it can be judged, and fails for another reason: " + four.diagnosis.front().cause;
+  return with_key + ("it can be judged, and fails for another reason: " + four.diagnosis.front().cause);
+}
+
+/// Without what else was advised for a model of six components.
+std::string without_advice(const std::string& sentence) {
+  return sentence.substr(0, std::min(sentence.find(advice_on_symmetry), sentence.find(advice_on_state)));
+}
+
+/// The first cause with this sentence, there and in the tests.
+void say_of_first(check::Report& report, const std::string& sentence) {
+  const std::string before = report.diagnosis.front().sentence;
+  report.diagnosis.front().sentence = sentence;
+  for (check::TestResult& test : report.tests) {
+    if (test.sentence == before) test.sentence = sentence;
+  }
+}
+
+/// It needs that key, and nothing else.
+void say_plane_strain(check::Report& report) {
+  report.diagnosis.resize(1);
+  say_of_first(report, with_key + (of_plane + (of_six + without_advice(report.diagnosis.front().sentence))));
+  for (check::TestResult& test : report.tests) test.sentence = without_advice(test.sentence);
 }
 
 }  // namespace
@@ -131,7 +156,11 @@ void judge_components(CheckedMaterial& checked, const check::Effort& effort, con
   }
   if (passes || umat->model.components_are_said || fills == Fills::six) return;
   const CheckedMaterial four = with_four(checked, *umat, effort, how);
-  if (four.error.empty()) checked.report.diagnosis.front().sentence += words_of(checked.report, four.report);
+  if (!four.error.empty()) return;
+  if (four.passes() && fills == Fills::plane_strain) return say_plane_strain(checked.report);
+  const std::string words = words_of(checked.report, four.report), before = checked.report.diagnosis.front().sentence;
+  if (words.empty()) return;
+  say_of_first(checked.report, fills == Fills::plane_strain ? words + of_six + before : before + "; " + words);
 }
 
 }  // namespace assay::drivers

@@ -22,7 +22,7 @@ Answer answer_of(const Material& material, const FailedStep& step, UpdateReport*
   Answer answer(state_of_answer + step.state0.size());
   const UpdateReport report =
       material.update(step.t, step.dt, 1, nine_of(step.F0).data(), nine_of(step.F1).data(), step.state0.data(),
-                      answer.data() + state_of_answer, answer.data() + stress_of_answer);
+                      answer.data() + state_of_answer, answer.data() + stress_of_answer, step.fields1);
   answer[0] = report.worst;
   if (said) *said = report;
   return answer;

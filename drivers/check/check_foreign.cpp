@@ -45,16 +45,20 @@ bool passes(const std::optional<check::TestResult>& test) { return test && test-
 
 std::string strain_word(const ForeignModel& model) { return model.finite_strain ? "finite" : "small"; }
 
+/// The modulus that Abaqus asks for at finite strain.
+constexpr const char* jaumann_words = "the modulus of J sigma by the Jaumann rate, over J";
+
 /// What DDSDDE is, of the model with which it is right.
 std::string strain_words(const ForeignModel& right) {
-  return "DDSDDE is that of strain: " + strain_word(right) +
-         (right.finite_strain ? ", the modulus of J sigma by the Jaumann rate, over J" : ", d STRESS / d DSTRAN");
+  return "DDSDDE is that of strain: " + strain_word(right) + ", " +
+         (right.finite_strain ? jaumann_words : "d STRESS / d DSTRAN");
 }
 
-/// What it is, of a DDSDDE that passes by none of the conventions; empty where that cannot be told.
+/// What it is, of a tangent that passes by none of the conventions of its interface; empty where that cannot be told.
 std::string other_moduli(ForeignModel model, const ResolvedMaterial& material, const check::Report& before) {
   using adapters::Moduli;
   const std::pair<Moduli, const char*> all[] = {
+      {Moduli::jaumann, jaumann_words},
       {Moduli::truesdell,
        "the modulus of the Truesdell rate, as by pushing that of S and E forward: to that of the "
        "Jaumann rate the terms (delta_ik sigma_jl + delta_jl sigma_ik + delta_il sigma_jk + "
@@ -65,6 +69,7 @@ std::string other_moduli(ForeignModel model, const ResolvedMaterial& material, c
        "terms of the Jaumann rate"}};
   model.finite_strain = true;
   for (const auto& [moduli, words] : all) {
+    if (moduli == Moduli::jaumann && model.interface == ForeignInterface::umat) continue;  // which is none of these
     model.moduli = moduli;
     if (passes(tangent_with(model, material, before))) return words;
   }
@@ -179,12 +184,28 @@ std::vector<std::string> foreign_not_tested(const ResolvedMaterial& material) {
   return {"other temperatures" + fields + " (the tests keep them constant)"};
 }
 
+namespace {
+
+/// A USERMAT has one convention, d stress / d strain increment.
+void judge_tangent_of_usermat(const ResolvedMaterial& material, check::Report& report, check::TestResult& test) {
+  const std::string words = other_moduli(*material.foreign, material, report);
+  if (words.empty()) return;
+  test.cause = check::causes::tangent_convention;
+  say_instead(report, test, "dsdePl is " + words + ", and d stress / d dStrain is asked for");
+}
+
+}  // namespace
+
 void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& report) {
   using namespace check::causes;
   check::TestResult* const test = failed_test(report, check::ids::tangent);
+  const bool turns_wrongly =
+      diagnosed(report, {rotation_missing, wrong_spin, state_not_rotated, not_indifferent, explicit_spin});
+  if (test && is_of(material, ForeignInterface::usermat) && !turns_wrongly)
+    judge_tangent_of_usermat(material, report, *test);
   if (!test || !is_of(material, ForeignInterface::umat)) return;
   const std::string before = test->sentence;
-  if (diagnosed(report, {rotation_missing, wrong_spin, state_not_rotated, not_indifferent, explicit_spin})) {
+  if (turns_wrongly) {
     test->verdict = check::Verdict::not_applicable;
     test->cause.clear();
     test->sentence =

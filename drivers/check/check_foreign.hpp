@@ -135,8 +135,8 @@ void fields(auto& archive, Beyonds& b) { archive(b.read, b.written, b.left_at_ti
 /// tells how much it hands over.
 std::optional<ForeignFinding> goes_beyond(const ResolvedMaterial& material, const check::Effort& effort);
 
-/// In the words of descriptions.
-ForeignFinding judged_beyond(const Beyonds& found);
+/// In the words of descriptions. may_be_F: nine numbers behind the state may be those of F, as with IHYPER of LS-DYNA.
+ForeignFinding judged_beyond(const Beyonds& found, bool may_be_F = false);
 
 /// "1:7", "1:4, 7": indices in order.
 std::string ranges_of(const std::vector<std::ptrdiff_t>& indices);
@@ -188,7 +188,8 @@ adapters::ForeignModel with_blocks(const adapters::ForeignModel& model, const st
 // Rules behind the battery: each looks for what its report leaves open, and changes the report.
 
 /// Of a UMAT whose tangent fails: whether it is right with the other value of `strain` in its description, or cannot be
-/// judged beside a state that does not turn, by which DDSDDE is converted.
+/// judged beside a state that does not turn, by which DDSDDE is converted. Of a USERMAT too: whether its tangent is
+/// right by another convention.
 void judge_foreign_tangent(const ResolvedMaterial& material, check::Report& report);
 
 /// Into the test `energy` of a VUMAT, which offers no energy otherwise: work of shears and of extensions must count
@@ -203,6 +204,10 @@ void tell_initial_values(const ResolvedMaterial& material, check::Report& report
 /// that of the model with the tensor declared, and says how to declare it.
 void judge_state_blocks(const ResolvedMaterial& material, check::Report& report);
 
+/// With which words advice on undeclared directions, and on an undeclared tensor of the state, follows a sentence.
+inline constexpr const char *advice_on_symmetry = "; no symmetry is declared",
+                            *advice_on_state = "; or, if the source is right";
+
 /// For a model that is not isotropic and whose description says nothing of `symmetry`: that it was taken for isotropic,
 /// and whether it passes as one that has directions of its own. For one that fails with fixed axes: whether it passes
 /// with axes that turn with the body.
@@ -216,8 +221,9 @@ void hint_axes(const ResolvedMaterial& material, check::Report& report);
 void judge_elements(const ResolvedMaterial& material, check::Report& report);
 
 /// Of a UMAT that fails, and whose description says nothing of `components`: whether four cure it, or bring another
-/// defect to light; its diagnosis says so then. One of plane stress cannot be judged unless it is declared as such
-/// (components: [3]), even where it passes with four: `error`. Throws Interrupted, SystemError.
+/// defect to light; its diagnosis begins with that then, and if they cure it, it is the only one. One of plane stress
+/// cannot be judged unless it is declared as such (components: [3]), even where it passes with four: `error`. Throws
+/// Interrupted, SystemError.
 void judge_components(CheckedMaterial& checked, const check::Effort& effort, const CheckProcesses& how);
 
 // Whether it depends on the rate, of which its description says nothing.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "adapters/foreign/foreign_state.hpp"
+#include "adapters/foreign/foreign_table.hpp"
 #include "drivers/check/check_foreign.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/material/offer.hpp"
@@ -31,12 +32,6 @@ void fields(auto& archive, HostEffect& e) { archive(e.stress, e.tangent, e.state
 
 using HostEffects = std::vector<HostEffect>;
 
-/// Numbers of a state that are not the model's own.
-std::size_t bridge_components(const ResolvedMaterial& material) {
-  const auto own = material.foreign ? adapters::foreign_state_size(material.foreign->state) : 0;
-  return material.material.state_size() - static_cast<std::size_t>(own);
-}
-
 /// The same steps under one host after the other.
 class Hosts {
  public:
@@ -44,7 +39,8 @@ class Hosts {
       : material_(material.material.clone()),
         bridge_(*bridge_of(material_)),
         usual_(bridge_.host_values()),
-        own_(state_of_answer + bridge_components(material)) {
+        own_(state_of_answer + size_of(adapters::bridge_state(*material.foreign))),
+        own_end_(own_ + size_of(material.foreign->state)) {
     constexpr int count = 8;
     constexpr double far = 30;  // as far beyond yield as the battery goes: the others stay elastic
     for (const double amplitude : {strain, strain / far})
@@ -75,6 +71,10 @@ class Hosts {
   }
 
  private:
+  static std::size_t size_of(const std::vector<adapters::ForeignVariable>& variables) {
+    return static_cast<std::size_t>(adapters::foreign_state_size(variables));
+  }
+
   /// Empty where there is none.
   std::vector<double> tangent_of(const RepeatedStep& step) const {
     const Offer<assay_tangent> form(material_);
@@ -103,7 +103,7 @@ class Hosts {
     for (std::size_t c = stress_of_answer; c < found.size(); ++c) {
       const double change = std::abs(found[c] - usual[c]);
       const bool of_stress = c < state_of_answer;
-      if (!of_stress && c < own_) continue;
+      if (!of_stress && (c < own_ || c >= own_end_)) continue;
       if (!(change > same_within * (of_stress ? scales_[k] : std::abs(usual[c])))) continue;
       if (of_stress) effect.stress = std::max(effect.stress, change / scales_[k]);
       effect.state = true;
@@ -113,7 +113,8 @@ class Hosts {
   Material material_;
   adapters::AbaqusBridge& bridge_;
   HostValues usual_;
-  std::size_t own_;  ///< where STATEV begins in an answer: what stands before are outputs, as energies by mass
+  /// Where STATEV begins and ends in an answer: before it stand outputs, as energies by mass, behind it fields.
+  std::size_t own_, own_end_;
   std::vector<RepeatedStep> steps_;
   std::vector<Answer> answers_;
   std::vector<double> scales_;  ///< the largest stress of a history so far [Pa]

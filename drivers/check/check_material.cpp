@@ -126,6 +126,7 @@ CheckedMaterial check_material(const ResolvedMaterial& material, const std::stri
   for (std::uint32_t i = 0; i < material.material.table().parameter_count; ++i)
     checked.parameters.emplace_back(material.material.table().parameters[i].name, material.material.parameters()[i]);
   checked.of_example = material.of_example;
+  checked.warnings = material.warnings;
   reporter.material(checked);
   const std::optional<ResolvedMaterial> other = judge(material, settings, reporter, checked);
   const ResolvedMaterial& judged = other ? *other : material;

@@ -44,6 +44,7 @@ void describe(Is<CheckedMaterial> auto& self, auto&& archive) {
   archive.or_null("error", self.error);
   archive.or_null("unwritten", self.unwritten);
   ASSAY_MEMBERS(printed, wall_s);
+  ASSAY_MEMBERS(warnings);
   archive("strain", self.report.strain);
   archive("pressure", self.report.pressure);
   archive("step", self.report.effort.step);
@@ -214,6 +215,7 @@ JunitSuite suite(const CheckedMaterial& checked, const std::string& given) {
   for (const auto& [name, value] : checked.parameters) out.properties.emplace_back(name, number_text(value));
   if (!checked.of_example.empty()) out.properties.emplace_back("parameters of the example", joined(checked.of_example));
   for (const std::string& what : checked.report.not_tested) out.properties.emplace_back("not tested", what);
+  for (const std::string& warning : checked.warnings) out.properties.emplace_back("warning", warning);
   for (const Dependence& each : checked.depends_on) out.properties.emplace_back("depends on " + each.on, each.how);
   for (const TestResult& test : checked.report.tests) {
     out.cases.push_back(test_case(checked, test, classname));
@@ -222,6 +224,7 @@ JunitSuite suite(const CheckedMaterial& checked, const std::string& given) {
   }
   if (!checked.error.empty())
     out.cases.push_back({classname, "loading", 0, JunitCase::Kind::error, checked.error, "not checked"});
+  for (const std::string& warning : checked.warnings) out.said += "warning: " + warning + "\n";
   for (const check::Diagnosis& d : checked.report.diagnosis) out.said += d.cause + ": " + d.sentence + "\n";
   return out;
 }

@@ -35,6 +35,8 @@ struct CheckedMaterial {
 
   std::string description = {};  ///< of a foreign model: the YAML file that leads to it
 
+  std::vector<std::string> warnings = {};  ///< sentences on the source or the description, of compiler and program
+
   std::string printed = {};         ///< by the model, beginning and end
   std::uint64_t printed_bytes = 0;  ///< in all
 
@@ -105,9 +107,9 @@ std::string check_text(const CheckedMaterial& checked, Verbosity verbosity, Rows
 /// One line for each, the causes below, and how many passed.
 std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s);
 
-/// {material, library, parameters, verdict, wall_s, error, strain, pressure, step, not_tested, depends_on: [{on, how}],
-/// diagnosis: [{cause, sentence}], tests: [{id, verdict, wall_s, measure, threshold, order, cause, sentence, replay}]};
-/// figures that were not found, or are infinite, are null.
+/// {material, library, parameters, verdict, wall_s, error, warnings, strain, pressure, step, not_tested, depends_on:
+/// [{on, how}], diagnosis: [{cause, sentence}], tests: [{id, verdict, wall_s, measure, threshold, order, cause,
+/// sentence, replay}]}; figures that were not found, or are infinite, are null.
 std::string check_json(const CheckedMaterial& checked);
 
 /// {verdict, materials: [as above]}.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "adapters/foreign/foreign_state.hpp"
+#include "adapters/foreign/foreign_table.hpp"
 #include "drivers/check/check_foreign.hpp"
 #include "harness/check/judge.hpp"
 #include "harness/check/march.hpp"
@@ -38,7 +39,7 @@ class Search {
       : material_(material), model_(model), Q_(check::Space(material).turn(check::turning_angle)) {
     constexpr int count = 12;
     at_rest_ = check::state_at_rest(material, pressure);
-    own_ = at_rest_.size() - static_cast<std::size_t>(adapters::foreign_state_size(model.state));
+    own_ = static_cast<std::size_t>(adapters::foreign_state_size(adapters::bridge_state(model)));
     for (const RepeatedStep& step : repeated_steps(material, strain, pressure, count)) {
       if (!step.first && is_good(answer_of(material, step))) steps_.push_back(step);
     }
@@ -136,7 +137,8 @@ class Search {
   RepeatedStep alone(const RepeatedStep& step, const StateBlock& block) const {
     RepeatedStep other = step;
     const auto rest = at_rest_.begin() + static_cast<std::ptrdiff_t>(own_);
-    std::copy(rest, at_rest_.end(), other.state0.begin() + static_cast<std::ptrdiff_t>(own_));
+    std::copy_n(rest, adapters::foreign_state_size(model_.state),
+                other.state0.begin() + static_cast<std::ptrdiff_t>(own_));
     std::copy_n(&step.state0[own_ + block.first], size_of(block.kind), &other.state0[own_ + block.first]);
     return other;
   }

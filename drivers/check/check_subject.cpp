@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What `assay check` is asked to check.
 #include <algorithm>
+#include <optional>
 
 #include "drivers/check/check.hpp"
 #include "drivers/check/replay.hpp"
@@ -55,13 +56,16 @@ std::map<std::string, double> parameters_in(const std::string& list) {
 
 ResolvedMaterial material_to_check(const CheckOptions& options) {
   MaterialChoice choice;
+  std::optional<std::vector<std::string>> of_source;  ///< warnings, which have been told
   if (is_scene(options.material)) {
     choice = read_scene(options.material).material;
   } else if (asks_for_source(options.material)) {
     SourceRequest request = request_of(options.source);
     request.needs_values = options.parameters.empty();
     request.least_properties = numbered_parameters(parameters_in(options.parameters));
-    choice.adapter = described_source(options.material, request, options.out, options.verbosity);
+    DescribedSource described = described_source(options.material, request, options.out, options.verbosity);
+    choice.adapter = described.file;
+    of_source = std::move(described.warnings);
   } else {
     choice.adapter = absolute_material(options.material, {});  // the process that tests it stands elsewhere
   }
@@ -76,7 +80,9 @@ ResolvedMaterial material_to_check(const CheckOptions& options) {
   if (!(choice.density > 0)) choice.density = 1;  // no test needs one
   choice.isolation = Isolation::worker;           // nobody's code runs in this process
   ResolvedMaterial resolved = resolve_material(choice, Example::where_required);
-  if (!asks_for_source(options.material)) {
+  if (of_source) {
+    resolved.warnings = *of_source;
+  } else {
     for (const std::string& warning : resolved.warnings) warn(warning);
   }
   if (!resolved.library.empty()) hash_of_library(resolved.library);  // a model may leave no file that can be opened

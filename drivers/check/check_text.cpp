@@ -72,13 +72,19 @@ std::string remarks_text(const check::Report& report) {
   return count == 0 ? "" : "; " + std::to_string(count) + (count == 1 ? " remark" : " remarks");
 }
 
+/// "; 1 warning": of the source or the description, whatever the verdict.
+std::string warnings_text(const CheckedMaterial& checked) {
+  const std::size_t count = checked.warnings.size();
+  return count == 0 ? "" : "; " + std::to_string(count) + (count == 1 ? " warning" : " warnings");
+}
+
 std::string summary(const CheckedMaterial& checked) {
   const check::Report& report = checked.report;
   return one_line(checked.name) + ": " + (report.passes() ? "pass" : "FAIL") + "; " +
          tests_passed(count_of(report, Verdict::pass)) + ", " + std::to_string(count_of(report, Verdict::fail)) +
          " failed, " + std::to_string(count_of(report, Verdict::not_applicable)) + " not applicable, in " +
-         rounded_text(checked.wall_s, 2) + " s" + remarks_text(report) + unusual_effort(report) +
-         (checked.depends_on.empty() ? "" : "; " + dependences(checked));
+         rounded_text(checked.wall_s, 2) + " s" + remarks_text(report) + warnings_text(checked) +
+         unusual_effort(report) + (checked.depends_on.empty() ? "" : "; " + dependences(checked));
 }
 
 /// What is printed below a test's row: its sentence where the row alone would not explain the verdict.
@@ -145,6 +151,7 @@ std::string check_text(const std::vector<CheckedMaterial>& all, double wall_s) {
     if (!checked.error.empty()) page += wrapped(checked.error, "    ", "    ");
     for (const check::Diagnosis& d : report.diagnosis) page += wrapped(d.cause + ": " + d.sentence, "    ", "      ");
     if (!checked.depends_on.empty()) page += wrapped(dependences(checked), "    ", "      ");
+    for (const std::string& warning : checked.warnings) page += wrapped("warning: " + warning, "    ", "      ");
     for (const auto& [test, file] : checked.replays) page += "    replay: " + one_line(file) + "\n";
   }
   return page + "\n" + std::to_string(passed) + " of " + std::to_string(all.size()) + " materials pass, in " +

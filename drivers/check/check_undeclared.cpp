@@ -167,7 +167,7 @@ void hint_symmetry(const ResolvedMaterial& material, check::Report& report) {
       "the body, as by *ORIENTATION";
   if (unsaid) {
     say_also(report, found->sentence,
-             "; no symmetry is declared, so it was tested as isotropic: `symmetry: anisotropic`" +
+             std::string(advice_on_symmetry) + ", so it was tested as isotropic: `symmetry: anisotropic`" +
                  (alone     ? ", with which it passes, declares directions of its own"
                   : turning ? " and " + axes
                             : ", for a material with directions of its own, does not make it pass"));
@@ -201,8 +201,9 @@ void judge_state_blocks(const ResolvedMaterial& material, check::Report& report)
   if (!guess.turns) return;
   if (guess.blocks.empty()) {
     say_also(report, found->sentence,
-             "; or, if the source is right, one of the numbers of `state` belongs to a tensor: declare it, as in "
-             "`state: {back_stress: symmetric_tensor}`");
+             std::string(advice_on_state) +
+                 ", one of the numbers of `state` belongs to a tensor: declare it, as in "
+                 "`state: {back_stress: symmetric_tensor}`");
     return;
   }
   const ForeignModel other = with_blocks(model, guess.blocks);

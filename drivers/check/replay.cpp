@@ -40,6 +40,13 @@ std::string step_text(const assay_material& table, const FailedStep& step) {
     const auto values = std::span(step.state0).subspan(place.first, place.size);
     text += "  " + line_of(yaml_scalar(place.name), place.size == 1 ? yaml_number(values[0]) : list_of(values));
   }
+  if (step.fields1.empty()) return text;
+  text += "fields1:\n";
+  std::size_t k = 0;
+  for (const StatePlace& place : assay::state_of(table)) {
+    if (place.role == ASSAY_ROLE_FIELD)
+      text += "  " + line_of(yaml_scalar(place.name), yaml_number(step.fields1.at(k++)));
+  }
   return text;
 }
 
@@ -103,17 +110,17 @@ Tensor tensor_of(const Tree& root, const std::string& key) {
   return F;
 }
 
-std::vector<double> state_of(const Tree& root, const assay_material& table) {
-  const Tree& tree = required(root, "", "state0");
-  std::vector<double> state;
-  std::vector<std::string> names;
-  const std::vector<StatePlace> places = assay::state_of(table);
-  for (const StatePlace& place : places) names.emplace_back(place.name);
-  require_map(tree, "state0", joined(names));
-  refuse_unknown_keys(tree, "state0", names);
+/// Of the map under that key, one after the other.
+std::vector<double> values_of(const Tree& root, const std::string& key, const std::vector<StatePlace>& places) {
+  const Tree& tree = required(root, "", key);
+  std::vector<double> values;
+  const std::vector<std::string> names =
+      mapped(places, [](const StatePlace& place) { return std::string(place.name); });
+  require_map(tree, key, joined(names));
+  refuse_unknown_keys(tree, key, names);
   for (const StatePlace& place : places)
-    append_numbers(required(tree, "state0", place.name), std::string("state0.") + place.name, place.size, state);
-  return state;
+    append_numbers(required(tree, key, place.name), key_path(key, place.name), place.size, values);
+  return values;
 }
 
 FailedStep step_of(const Tree& root, const assay_material& table) {
@@ -123,7 +130,10 @@ FailedStep step_of(const Tree& root, const assay_material& table) {
   if (!(step.dt > 0)) throw InputError(required(root, "", "dt").where, "dt", "must be above 0");
   step.F0 = tensor_of(root, "F0");
   step.F1 = tensor_of(root, "F1");
-  step.state0 = state_of(root, table);
+  std::vector<StatePlace> places = assay::state_of(table);
+  step.state0 = values_of(root, "state0", places);
+  std::erase_if(places, [](const StatePlace& place) { return place.role != ASSAY_ROLE_FIELD; });
+  if (root.find("fields1")) step.fields1 = values_of(root, "fields1", places);
   return step;
 }
 
@@ -143,7 +153,7 @@ std::string hash_of_library(const std::string& file) {
 }
 
 Replay replay_of(const ResolvedMaterial& resolved, const std::optional<FailedStep>& step, const std::string& reason) {
-  Replay replay{resolved.choice.adapter, resolved.choice.parameters, {}, step, reason};
+  Replay replay{resolved.choice.adapter, resolved.choice.parameters, {}, step, reason, resolved.choice.varying};
   if (!resolved.library.empty()) {
     replay.material =
         resolved.description.empty() ? resolved.library + ":" + resolved.material.name() : resolved.description;
@@ -157,8 +167,10 @@ Replay replay_of(const ResolvedMaterial& resolved, const std::optional<FailedSte
 std::string replay_yaml(const Replay& replay, Isolation isolation) {
   const ResolvedMaterial resolved = resolved_of(replay, isolation);
   const Material& material = resolved.material;
-  std::string text = std::string(replay.step ? "# A step that a material failed: F0 and state0 at t, F1 at t + dt."
-                                             : "# A test that a material failed, in many steps.") +
+  const bool has_fields = replay.step && !replay.step->fields1.empty();
+  std::string text = (replay.step ? std::string("# A step that a material failed: F0 and state0 at t, F1") +
+                                        (has_fields ? " and fields1" : "") + " at t + dt."
+                                  : "# A test that a material failed, in many steps.") +
                      " To repeat it: assay check --replay\n# " + units_words(resolved) + "\n";
   text += line_of("material", yaml_scalar(replay.material));
   std::string folders;  // in which a description finds its library
@@ -175,9 +187,9 @@ std::string replay_yaml(const Replay& replay, Isolation isolation) {
 Replay read_replay(const std::string& file, Isolation isolation, const std::string& material) {
   const Tree root = read_yaml(read_bytes(file), file);
   const std::vector<std::string> known{
-      "material",        "parameters",     "library_sha256", "t",     "dt",     "F0",   "F1",
-      "state0",          "reason",         "test",           "quick", "strain", "step", "pressure",
-      "strain_is_asked", "rate_dependent", "material_path"};
+      "material",       "parameters",   "library_sha256", "t",     "dt",     "F0",   "F1",       "state0",
+      "fields1",        "reason",       "test",           "quick", "strain", "step", "pressure", "strain_is_asked",
+      "rate_dependent", "material_path"};
   require_map(root, "", joined(known));
   refuse_other_kind(root, FileKind::replay);
   refuse_unknown_keys(root, "", known);
@@ -192,6 +204,10 @@ Replay read_replay(const std::string& file, Isolation isolation, const std::stri
   require_map(parameters, "parameters", "the parameters of the material");
   for (const Tree::Entry& entry : parameters.entries)
     replay.parameters[entry.key] = number_value(entry.value, "parameters." + one_line(entry.key, 80));
+  if (const Tree* fields = root.find("fields1")) {
+    require_map(*fields, "fields1", "the fields of the material");
+    for (const Tree::Entry& entry : fields->entries) replay.varying.push_back(entry.key);
+  }
   const auto number = [&root](const char* key, auto& value) {
     if (const Tree* found = root.find(key)) value = number_value(*found, key);
   };
@@ -219,6 +235,7 @@ ResolvedMaterial resolved_of(const Replay& replay, Isolation isolation) {
   choice.isolation = isolation;
   choice.adapter = replay.material;
   choice.parameters = replay.parameters;
+  choice.varying = replay.varying;
   choice.density = 1;  // a replay needs none
   choice.where = replay.where;
   choice.adapter_key = "material", choice.parameters_key = "parameters";

@@ -21,6 +21,7 @@ struct Replay {
   std::string library_sha256;                ///< of the shared library; empty: built in
   std::optional<FailedStep> step;            ///< none of a test in which the process ended
   std::string reason;                        ///< one sentence
+  std::vector<std::string> varying = {};     ///< fields of a foreign model that a path has changed
   std::string test = {};                     ///< id of the test of `check` that failed; empty: none
   check::Effort effort = {};                 ///< of that test
   bool rate_dependent = false;               ///< was taken for it, where nobody had declared anything

@@ -220,7 +220,7 @@ std::string explanation(const ProblemIn<Dim>& problem, const ExactSolution* exac
   const std::string frame = turned ? wrapped(frame_text(*turned), "frame: ", "  ") : "";
   return passes_text(problem, c) + observers_text(problem) + memory_text(problem, c) + work_text(c) + effects_text(c) +
          steps_text(problem) + frame + exact_solution_line(problem) + ends_text(problem) +
-         response_text(problem, exact) + wrapped(screen_sentence(screen), "motion: ", "  ");
+         response_text(problem, exact) + wrapped(screen_sentence(screen, problem.scene.units), "motion: ", "  ");
 }
 
 template <int Dim>

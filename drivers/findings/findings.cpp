@@ -68,8 +68,8 @@ void record_failure(const MaterialFailure& failure, Result& result) {
   result.reason = failure.what();
   if (failure.too_accurate) result.advice = "force.tolerance: 1e-4, which asks for less accuracy of the response";
   if (!std::isnan(failure.xi)) {
-    result.reason +=
-        ": on the baseline path at xi = " + rounded_text(failure.xi, 6) + ", t = " + rounded_text(failure.t, 6) + " s";
+    result.reason += ": on the baseline path at xi = " + rounded_text(failure.xi, 6) +
+                     ", t = " + result.units.text(failure.t, "s", 6);
     result.t = failure.t;
   }
   if (failure.step) result.failed_step = std::make_shared<const FailedStep>(*failure.step);

@@ -21,7 +21,8 @@ YamlRow unit_row(const char* name, double& value, const std::vector<std::string>
   return {name,
           [=, &value](const Tree& tree, const std::string& key) { value = si_of(choice_value(tree, key, words)); },
           [=, &value] {
-            return *std::ranges::find_if(words, [&](const std::string& word) { return si_of(word) == value; });
+            const auto found = std::ranges::find_if(words, [&](const auto& word) { return si_of(word) == value; });
+            return found == words.end() ? std::string() : *found;
           }};
 }
 

@@ -10,7 +10,7 @@
 
 namespace assay::drivers {
 
-/// `value`: SI units in one of it. `words`: units that may be chosen.
+/// `value`: SI units in one of it; not written where no word has it. `words`: units that may be chosen.
 YamlRow unit_row(const char* name, double& value, const std::vector<std::string>& words);
 
 /// What a number in an author's units may be.

@@ -3,11 +3,14 @@
 // call, which is a third of the library:
 // - the effects of a step, whose keys in a scene (`remedies`) are read past;
 // - what is expected of a run, which is read past;
-// - foreign models in this process: they run in workers.
+// - foreign models in this process: they run in workers;
+// - children of this process, in which the program tries a library and works on with it: here workers try it.
 #include "adapters/foreign/foreign_table.hpp"
 #include "adapters/library.hpp"
+#include "adapters/worker/probe.hpp"
 #include "drivers/format/particle_tables.hpp"
 #include "drivers/scene/expect.hpp"
+#include "drivers/system/supervisor.hpp"
 #include "mpm/compose.hpp"
 
 namespace assay {
@@ -39,7 +42,11 @@ const assay_material* foreign_table(const ForeignModel&) {
   throw ModelRefused("isolation", "inside a host a foreign model runs in workers: leave out material.isolation");
 }
 
+void try_library(const std::string&) {}
+
 }  // namespace adapters
+
+void drivers::supervise(const std::string&) {}
 
 void drivers::read_particle_hdf5(const std::string&, const TakeTable&) {}
 

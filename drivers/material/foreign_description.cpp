@@ -33,6 +33,8 @@ void read_host_fields(const Tree& tree, ForeignModel& model, Places& where) {
   require_map(tree, "fields", "the fields of the host, in the model's order: names and values");
   for (const Tree::Entry& entry : tree.entries) {
     where["fields." + entry.key] = entry.value.where;
+    if (model.interface != ForeignInterface::mfront && entry.key == adapters::temperature_field)
+      refuse_value(entry.value, "fields." + entry.key, "is no field here: the key `temperature` says it");
     model.fields.push_back({entry.key, number_value(entry.value, "fields." + one_line(entry.key, 80))});
   }
 }
@@ -143,10 +145,10 @@ YamlRows rows_of_all(ForeignModel& m, Places& where) {
           number_row("temperature", m.temperature, {}, &m.temperature_is_said)};
 }
 
-/// Of a routine of LS-DYNA: nnpcrv and reject are younger.
+/// Of a routine of LS-DYNA: what stands behind crv depends on its release.
 YamlRow arguments_row(ForeignModel& m) {
   const auto read = [&m](const Tree& tree, const std::string& key) {
-    m.arguments = std::stoi(choice_value(tree, key, {"16", "18"}));
+    m.arguments = std::stoi(choice_value(tree, key, {"18", "16", "13", "12"}));
   };
   return {"arguments", read, [&m] { return std::to_string(m.arguments); }};
 }
@@ -200,6 +202,7 @@ const std::vector<std::string>& interface_names() {
 std::vector<std::string> keys_without_effect(const std::string& interface) {
   if (interface == "mfront") return keys_of_abaqus();
   std::vector<std::string> none{"arguments"};
+  if (interface == "vumat") none.push_back("thickness");
   if (interface == "usermat")
     append_all(none, {"strain", "elements", "fields", "characteristic_length", "material_name", "thickness"});
   if (interface == "lsdyna") none = {"components", "elements", "fields", "material_name", "step", "npt", "thickness"};

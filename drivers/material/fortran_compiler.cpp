@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "adapters/process/shortage.hpp"
+#include "drivers/material/fortran_messages.hpp"
 #include "drivers/material/source_entry.hpp"
 #include "drivers/material/tool_process.hpp"
 #include "drivers/system/environment.hpp"
@@ -76,43 +77,6 @@ bool is_adapted(const FortranSource& source) {
   return !source.adapted.empty() || std::ranges::any_of(source.includes, has_other_text);
 }
 
-/// "./model.f:4:72: Error: Syntax error in argument list at (1)".
-struct CompilerMessage {
-  Location where;
-  std::string text;
-};
-
-const std::vector<std::string> of_errors{": Error: ", ": Fatal Error: "}, of_warnings{": Warning: "};
-
-/// Those of one of these kinds.
-std::vector<CompilerMessage> messages_in(const std::string& said, const std::vector<std::string>& kinds) {
-  std::vector<CompilerMessage> messages;
-  for (const std::string& line : split(said, '\n')) {
-    const auto kind = std::ranges::find_if(kinds, [&](const auto& k) { return line.find(k) != line.npos; });
-    if (kind == kinds.end()) continue;
-    const std::size_t at = line.find(*kind);
-    Location where{line.substr(0, at)};
-    std::string& file = where.file;
-    for (int* number : {&where.column, &where.line}) {
-      const std::size_t colon = file.rfind(':');
-      const auto value = colon == file.npos ? std::nullopt : parse_integer(file.substr(colon + 1));
-      if (!value) break;
-      *number = static_cast<int>(*value);
-      file.resize(colon);
-    }
-    messages.push_back({where, line.substr(at + kind->size())});
-  }
-  return messages;
-}
-
-/// Its own words without the marks of the compiler's drawing.
-std::string plain_message(std::string text) {
-  for (const std::string mark : {" at (1)", " at (2)", " (1)", "(1)"}) {
-    if (text.ends_with(mark)) text.resize(text.size() - mark.size());
-  }
-  return text;
-}
-
 /// "foo" of the linker's "cannot find -lfoo: No such file or directory"; or empty.
 std::string library_not_found(const std::string& said) {
   const std::string words = "cannot find -l";
@@ -125,7 +89,7 @@ std::string library_not_found(const std::string& said) {
 /// Where the source includes a file that this program provides, and that lies nowhere for a user to see.
 std::optional<Location> place_of_own_include(const FortranSource& source, const std::string& file) {
   const std::string name = fs::path(file).filename().string();
-  if (abaqus_include(name).empty() || fs::exists(fs::path(source.file).parent_path() / name)) return std::nullopt;
+  if (include_of_host(name).empty() || fs::exists(fs::path(source.file).parent_path() / name)) return std::nullopt;
   const auto line = std::find_if(source.lines.begin(), source.lines.end(), [&](const std::string& each) {
     return small_letters(each).find(small_letters(name)) != each.npos;
   });
@@ -145,17 +109,23 @@ std::string with_character_named(const FortranSource& source, int line, const st
 
 /// Whether the compiler has something to say of a line of the source; else it failed by itself.
 bool names_a_line(const std::string& said) {
-  const std::vector<CompilerMessage> all = messages_in(said, of_errors);
+  const std::vector<CompilerMessage> all = errors_in(said);
   return std::any_of(all.begin(), all.end(), [](const CompilerMessage& each) { return each.where.line > 0; });
+}
+
+/// In the description that names it; else the source.
+Location place_of_link(const FortranSource& source, const std::string& library) {
+  const std::size_t at = index_of(library, source.link);
+  return at < source.link_where.size() ? source.link_where[at] : Location{source.file};
 }
 
 /// The first error that it names, at its place in the source or in what that includes; version: the compiler's.
 InputError refusal_of_compiler(const FortranSource& source, const std::string& version, const std::string& said) {
-  const std::vector<CompilerMessage> all = messages_in(said, of_errors);
+  const std::vector<CompilerMessage> all = errors_in(said);
   std::vector<std::string> texts = mapped(all, [](const CompilerMessage& each) { return plain_message(each.text); });
   std::erase(texts, "");
   if (const std::string absent = library_not_found(said); !absent.empty()) {
-    return InputError({source.file}, "link",
+    return InputError(place_of_link(source, absent), "link",
                       "the linker finds no library '" + one_line(absent, 80) + "': its lib" + one_line(absent, 80) +
                           ".so or .a must be in a folder of the linker, or give the file");
   }
@@ -170,12 +140,14 @@ InputError refusal_of_compiler(const FortranSource& source, const std::string& v
   if (const auto place = place_of_own_include(source, where.file)) {
     const std::string name = fs::path(where.file).filename().string();
     where = *place;
-    text += "; " + name + " holds IMPLICIT REAL*8(A-H,O-Z), beside which there is no IMPLICIT NONE";
+    const bool is_implicit = include_of_host(name).find("implicit") != std::string::npos;
+    text += "; " + name +
+            (is_implicit ? " holds IMPLICIT REAL*8(A-H,O-Z), beside which there is no IMPLICIT NONE"
+                         : " is assay's own, since there is none beside the source");
   }
   std::string more = texts.size() > 1 ? "; " + std::to_string(texts.size() - 1) + " more" : "";
   if (source.has_cards) {
-    more +=
-        "; columns 73 to 80 hold the numbers of punched cards, which Abaqus reads as code: " + card_remedy(source.file);
+    more += "; columns 73 to 80 hold the numbers of punched cards, which are read as code: " + card_remedy(source.file);
   } else if (source.cut_line > 0) {
     more += "; what stands beyond column 132, as in line " + std::to_string(source.cut_line) + ", is cut";
   } else if (!source.form.why.empty()) {
@@ -219,6 +191,7 @@ std::vector<std::string> flags_for(const FortranSource& source, const FortranCom
                                  "-Wuninitialized",
                                  "-Winteger-division",
                                  "-Wdo-subscript",
+                                 "-Wconversion",
                                  "-fno-diagnostics-show-caret"};
   constexpr int first_strict_version = 10;  // which takes arguments that do not match for errors
   if (major_version(compiler) >= first_strict_version) {
@@ -253,7 +226,11 @@ std::vector<std::string> compile_library(const FortranSource& source, const Fort
     throw SystemError(source.file + ": its compilation takes longer than " + number_text(call.limit_s) + " s");
   }
   std::error_code code;
-  if (end.status == 0 && fs::is_regular_file(library, code)) return warnings_in(end.said);
+  if (end.status == 0 && fs::is_regular_file(library, code)) {
+    std::vector<std::string> warnings = truncations_in(end.said, source);
+    append_all(warnings, warnings_in(end.said));
+    return warnings;
+  }
   const std::string tight = adapters::tight_limits();
   if (!tight.empty() && !names_a_line(end.said))
     throw SystemError(source.file + ": its compilation fails, and " + tight + ": that may be why");
@@ -262,26 +239,6 @@ std::vector<std::string> compile_library(const FortranSource& source, const Fort
                       ": " + one_line(end.said, 300));
   }
   throw refusal_of_compiler(source, compiler.version, end.said);
-}
-
-std::vector<std::string> warnings_in(const std::string& said) {
-  // indices above a bound of 1 are an old way to declare arguments
-  constexpr const char* seldom_meant[] = {"Missing actual argument", "Type mismatch ", "used uninitialized",
-                                          "Integer division truncated", "out of bounds (0 < "};
-  constexpr const char* own_variable = "'__";  // of the compiler's
-  std::vector<std::string> warnings;
-  for (const auto& [where, message] : messages_in(said, of_warnings)) {
-    const auto is_in = [&text = message](const char* words) { return text.find(words) != std::string::npos; };
-    if (std::none_of(std::begin(seldom_meant), std::end(seldom_meant), is_in)) continue;
-    if (message.starts_with(own_variable)) continue;
-    std::string text = message.substr(0, message.find(" [-W"));
-    for (const std::string mark : {" at (1)", " at (2)"}) {
-      if (const std::size_t at = text.find(mark); at != text.npos) text.erase(at, mark.size());
-    }
-    const std::string whole = place_text(where.file.substr(where.file.starts_with("./") ? 2 : 0), where.line) + text;
-    if (!is_one_of(whole, warnings)) warnings.push_back(whole);
-  }
-  return warnings;
 }
 
 }  // namespace assay::drivers

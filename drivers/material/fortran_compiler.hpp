@@ -26,14 +26,11 @@ std::vector<std::string> flags_for(const FortranSource& source, const FortranCom
 
 /// Compiles into a shared library. `folder` is empty, and for what is made on the way. Returns what the compiler warns
 /// of and is seldom meant: arguments of another type or too few, a variable that is never set, a whole number that was
-/// to be a fraction; each as "model.f:12: text", from the folder of the source. Throws InputError with the compiler's
-/// first message, at the source's line, SystemError where the compiler cannot do its work.
+/// to be a fraction, a whole number that takes a real one; each as "model.f:12: text", from the folder of the source.
+/// Throws InputError with the compiler's first message, at the source's line, SystemError where the compiler cannot do
+/// its work.
 std::vector<std::string> compile_library(const FortranSource& source, const FortranCompiler& compiler,
                                          const std::string& folder, const std::string& library);
-
-/// "x.f:12: 'n' is used uninitialized" of what it warns of and is seldom meant, each once. Its columns are those of the
-/// end of a line, and are left out.
-std::vector<std::string> warnings_in(const std::string& said);
 
 /// The folder of libraries and descriptions made from sources, CACHE/sources. Throws SystemError where there is none.
 std::string source_folder();
@@ -48,6 +45,9 @@ struct SourceLibrary {
 /// compiler and flags. Two processes may do so at once; what does not compile leaves nothing. Throws InputError,
 /// SystemError.
 SourceLibrary library_of_source(const FortranSource& source);
+
+/// Whether a library is named as library_of_source() names its own.
+bool is_made_of_source(const std::string& library);
 
 /// Keeps a description that was made of a source, under a name that its text has alone. Throws SystemError.
 std::string kept_description(const std::string& stem, const std::string& text);

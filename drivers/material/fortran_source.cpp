@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "drivers/material/source_entry.hpp"
 #include "drivers/scene/material_path.hpp"
 #include "drivers/system/environment.hpp"
 #include "drivers/system/input_file.hpp"
@@ -84,7 +85,7 @@ void add_includes(const std::vector<std::string>& lines, FortranSource& source) 
   for (const FortranInclude& include : includes_of(lines, source.form.form)) {
     if (std::ranges::count(source.includes, include.name, &IncludedFile::name) > 0) continue;
     const std::string path = file_beside(fs::path(source.file).parent_path(), include.name);
-    const std::string bytes = path.empty() ? abaqus_include(include.name) : read_bytes(path, largest_source);
+    const std::string bytes = path.empty() ? include_of_host(include.name) : read_bytes(path, largest_source);
     if (bytes.empty() && path.empty()) continue;  // the compiler says what is missing
     require_text(bytes, path, {source.file, include.line, 0}, "include");
     source.includes.push_back({include.name, path, bytes, {}});
@@ -94,9 +95,22 @@ void add_includes(const std::vector<std::string>& lines, FortranSource& source) 
     const std::vector<std::string> more = lines_for_compiler(said, source.form, by_name);
     if (more != said) source.includes.back().adapted = text_of_lines(more);
     append_all(source.statements, statements_of(more, source.form.form));
-    append_all(source.warnings, column_sentences(columns_of(said, source.form, by_name), path));
+    append_all(source.warnings,
+               column_sentences(columns_of(said, source.form, by_name), path, !is_of_other_vendor(source)));
     add_includes(more, source);
   }
+}
+
+/// Lengths of arrays, and the common blocks that a sample names: all of them are zero here. By its small name.
+std::string lsdyna_include(const std::string& file) {
+  if (file == "nlqparm") return "      integer nlq,lq1\n      parameter (nlq=128, lq1=101)\n";
+  if (file == "bk06.inc") {
+    return "      integer idmmy,iaddp,ifil,maxsiz,ncycle\n      common/bk06/idmmy,iaddp,ifil,maxsiz,ncycle\n";
+  }
+  if (file != "iounits.inc") return {};
+  return "      integer iohsp,iotty,iomsg,ioall\n      common/iounits/iohsp,iotty,iomsg,ioall\n"
+         "      integer msg_sol,ierdat(10)\n      real rerdat(10)\n      character*80 cerdat(10)\n"
+         "      parameter (msg_sol=0)\n      common/lsmsgd/ierdat,rerdat\n      common/lsmsgc/cerdat\n";
 }
 
 bool is_path(const std::string& word) { return word.find('/') != word.npos; }
@@ -136,7 +150,7 @@ FortranSource read_fortran_source(const std::string& file, const Location& where
   source.preprocessed = capital || std::ranges::any_of(source.lines, is_directive);
   source.statements = statements_of(source.lines, source.form.form);
   const ColumnReadings readings = columns_of(said, source.form, form_by_name(file));
-  source.warnings = column_sentences(readings, file);
+  source.warnings = column_sentences(readings, file, !is_of_other_vendor(source));
   if (source.preprocessed) append_all(source.warnings, joined_line_sentences(said, source.form.form, file));
   source.has_cards = !readings.cards.empty();
   if (!readings.cut.empty()) source.cut_line = readings.cut.front().line;
@@ -164,7 +178,7 @@ std::string source_beside(const std::string& deck, const Location& where, const 
                    joined(found));
 }
 
-std::string abaqus_include(const std::string& name) {
+std::string include_of_host(const std::string& name) {
   const std::string file = small_name(name);
   std::string reals = "      implicit real*8 (a-h,o-z)\n";  // serves both forms of the source
   if (file == "aba_param.inc") return reals + "      parameter (nprecd=2)\n";
@@ -172,6 +186,7 @@ std::string abaqus_include(const std::string& name) {
     return reals + "      parameter (j_sys_dimension=2, n_vec_length=136)\n      parameter (maxblk=n_vec_length)\n";
   }
   if (file == "impcom.inc") return reals;  // of Ansys
+  if (std::string text = lsdyna_include(file); !text.empty()) return text;
   if (file.starts_with("smaaspuser") && file.ends_with(".hdr")) return "! what it declares needs no declaration here\n";
   return {};
 }

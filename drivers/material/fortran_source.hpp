@@ -34,6 +34,7 @@ struct FortranSource {
   bool has_cards = false;                                         ///< numbers of punched cards, which are read as code
   int cut_line = 0;                                               ///< the first with code beyond column 132; 0: none
   std::vector<std::string> link;                                  ///< what it is linked with: words of linked_word()
+  std::vector<Location> link_where = {};                          ///< of each in a description; empty: in none
 };
 
 /// Throws InputError at `where`, `key`: missing, no text, too long.
@@ -42,9 +43,10 @@ FortranSource read_fortran_source(const std::string& file, const Location& where
 /// The source of the same name beside a deck. Throws InputError at `where`, `key` where there is none, or several.
 std::string source_beside(const std::string& deck, const Location& where, const std::string& key);
 
-/// The text of a file that Abaqus provides, by its name in any letters: ABA_PARAM.INC, VABA_PARAM.INC,
-/// SMAAspUserSubroutines.hdr and its like; empty for any other name.
-std::string abaqus_include(const std::string& name);
+/// The text of a file that the routine's host provides, by its name in any letters. Of Abaqus: ABA_PARAM.INC,
+/// VABA_PARAM.INC, SMAAspUserSubroutines.hdr and its like. Of Ansys: impcom.inc. Of LS-DYNA: nlqparm, bk06.inc,
+/// iounits.inc. Empty for any other name.
+std::string include_of_host(const std::string& name);
 
 /// "lapack" is a library of the linker's folders (-llapack), "./mine.a" a file (.a, .o, .so) relative to `folder`: the
 /// word of either, files absolute. Throws InputError at `where`, `key`.

@@ -162,6 +162,13 @@ std::string FortranCode::of(const std::string& line) {
 
 std::string place_text(const std::string& file, int line) { return file + ":" + std::to_string(line) + ": "; }
 
+std::string few_names(const std::vector<std::string>& names) {
+  constexpr std::size_t shown = 4;
+  const std::vector<std::string> first(names.begin(),
+                                       names.begin() + static_cast<std::ptrdiff_t>(std::min(shown, names.size())));
+  return joined(first) + (names.size() > shown ? " and " + std::to_string(names.size() - shown) + " others" : "");
+}
+
 std::vector<FortranStatement> statements_of(const std::vector<std::string>& lines, FortranForm form) {
   std::vector<FortranStatement> all;
   FortranCode reader(form);
@@ -221,21 +228,23 @@ ColumnReadings readings_of(const std::vector<std::string>& lines, FortranForm fo
   return found;
 }
 
-std::vector<std::string> column_sentences(const ColumnReadings& readings, const std::string& file) {
+std::vector<std::string> column_sentences(const ColumnReadings& readings, const std::string& file, bool by_abaqus) {
   struct Row {
     const std::vector<LongLine>& lines;
     const char *what, *code;  ///< before the first line's own word
     std::string more;         ///< behind it
   };
-  const Row rows[] = {
-      {readings.cards, "columns 73 to 80 hold the numbers of punched cards (",
-       "), and Abaqus reads them as code, since it takes 132 columns: this line ends in '",
-       "', here too; to remove them: " + card_remedy(file)},
-      {readings.tails, "code beyond column 72 (", "), here '",
-       "': Abaqus reads it, since it takes 132 columns, and so does assay; a compiler at its usual 72 columns drops it "
-       "silently"},
-      {readings.cut, "code beyond column 132 (", "), here '",
-       "': Abaqus reads 132 columns and cuts this off silently, and so does assay"}};
+  const Row rows[] = {{readings.cards, "columns 73 to 80 hold the numbers of punched cards (",
+                       by_abaqus ? "), and Abaqus reads them as code, since it takes 132 columns: this line ends in '"
+                                 : "), and assay reads them as code, since it takes 132 columns: this line ends in '",
+                       std::string(by_abaqus ? "', here too" : "'") + "; to remove them: " + card_remedy(file)},
+                      {readings.tails, "code beyond column 72 (", "), here '",
+                       std::string(by_abaqus ? "': Abaqus reads it, since it takes 132 columns, and so does assay"
+                                             : "': assay reads it, since it takes 132 columns") +
+                           "; a compiler at its usual 72 columns drops it silently"},
+                      {readings.cut, "code beyond column 132 (", "), here '",
+                       by_abaqus ? "': Abaqus reads 132 columns and cuts this off silently, and so does assay"
+                                 : "': assay reads 132 columns and cuts this off"}};
   std::vector<std::string> all;
   for (const auto& [lines, what, code, more] : rows) {
     if (lines.empty()) continue;

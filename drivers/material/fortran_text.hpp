@@ -52,6 +52,9 @@ struct FortranStatement {
 /// "model.f:12: ", as warnings begin.
 std::string place_text(const std::string& file, int line);
 
+/// The first few of them, in a list: "K0, LAM and 3 others".
+std::string few_names(const std::vector<std::string>& names);
+
 std::vector<FortranStatement> statements_of(const std::vector<std::string>& lines, FortranForm form);
 
 /// What a directive says of the lines behind it: "!DIR$ FREEFORM", "cDEC$ NOFREEFORM", "!DIR$ FIXEDFORMLINESIZE:132".
@@ -101,8 +104,10 @@ struct ColumnReadings {
 /// in free form.
 ColumnReadings readings_of(const std::vector<std::string>& lines, FortranForm form);
 
-/// What to tell of them, a sentence each, for warnings; `file` goes before the number of a line.
-std::vector<std::string> column_sentences(const ColumnReadings& readings, const std::string& file);
+/// What to tell of them, a sentence each, for warnings; `file` goes before the number of a line. by_abaqus: the source
+/// is for Abaqus, of which it is known how it reads them.
+std::vector<std::string> column_sentences(const ColumnReadings& readings, const std::string& file,
+                                          bool by_abaqus = true);
 
 /// What to tell of comments that end in a backslash where the preprocessor runs: it joins the next line to them.
 std::vector<std::string> joined_line_sentences(const std::vector<std::string>& lines, FortranForm form,

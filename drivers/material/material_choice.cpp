@@ -105,7 +105,11 @@ void adapt(const MaterialChoice& choice, MaterialSource& source) {
   MaterialDescription description = source;
   adapters::ForeignModel& model = *description.foreign;
   for (const std::string& name : choice.varying) {
-    if (!is_one_of(name, model.varying)) model.varying.push_back(name);
+    if (is_one_of(name, model.varying)) continue;
+    model.varying.push_back(name);
+    const bool is_given = std::ranges::any_of(model.properties, [&](const auto& p) { return p.name == name; });
+    if (model.interface == adapters::ForeignInterface::mfront && !is_given)
+      model.properties.push_back({.name = name, .value = 0});  // of a property; the path gives its values
   }
   if (!choice.hypothesis.empty()) model.hypothesis = choice.hypothesis;
   if (model.varying == source.foreign->varying && model.hypothesis == source.foreign->hypothesis) return;

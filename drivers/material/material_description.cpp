@@ -54,9 +54,11 @@ void refuse_keys_of_others(const Tree& root, const std::string& interface) {
   for (const std::string& key : keys_without_effect(interface)) {
     const Tree* tree = root.find(key);
     if (!tree) continue;
-    throw InputError(tree->where, key,
-                     interface == "mfront" ? "is for UMATs and VUMATs alone: MFront's interface has nothing like it"
-                                           : "has no effect with interface: " + interface);
+    std::vector<std::string> takers = interface_names();
+    std::erase_if(takers, [&](const std::string& other) {
+      return other == "native" || is_one_of(key, keys_without_effect(other));
+    });
+    throw InputError(tree->where, key, "has no effect with interface: " + interface + ", only with " + joined(takers));
   }
 }
 
@@ -72,12 +74,13 @@ std::string library_file(const std::string& said, const std::filesystem::path& f
   return beside;
 }
 
-std::vector<std::string> read_link(const Tree& tree, const std::filesystem::path& folder) {
-  std::vector<std::string> words;
-  if (tree.kind != Tree::Kind::sequence) return {linked_word(text_value(tree, "link"), folder, tree.where, "link")};
-  for (const Tree& item : tree.items)
-    words.push_back(linked_word(text_value(item, "link"), folder, item.where, "link"));
-  return words;
+/// The words of a list or of one text, and where each stands.
+std::vector<std::pair<std::string, Location>> read_link(const Tree& tree, const std::filesystem::path& folder) {
+  const auto word = [&](const Tree& item) {
+    return std::pair(linked_word(text_value(item, "link"), folder, item.where, "link"), item.where);
+  };
+  if (tree.kind != Tree::Kind::sequence) return {word(tree)};
+  return mapped(tree.items, word);
 }
 
 /// A library, or a source that becomes one. With both the library is that of the source, as for a worker.
@@ -96,9 +99,16 @@ void read_library(const Tree& root, const std::string& interface, const std::fil
   if (source) description.source = absolute_path(folder / text_value(*source, "source"));
   const Tree* link = root.find("link");
   if (link && !source) throw InputError(link->where, "link", "goes with a source: a library is linked already");
-  if (link) description.link = read_link(*link, folder);
+  std::vector<Location> link_where;
+  for (const auto& [word, where] : link ? read_link(*link, folder) : std::vector<std::pair<std::string, Location>>()) {
+    description.link.push_back(word);
+    link_where.push_back(where);
+  }
   if (library) {
     description.library = library_file(text_value(*library, "library"), folder);
+    if (source && !is_made_of_source(description.library))
+      throw InputError(source->where, "source",
+                       "contradicts `library`: a source is compiled, so leave one of them out");
     return;
   }
   if (!is_fortran_source(description.source)) {
@@ -107,7 +117,7 @@ void read_library(const Tree& root, const std::string& interface, const std::fil
         "must be a Fortran source (.f, .for, .f90, ...), found '" + one_line(description.source, 200) + "'");
   }
   FortranSource text = read_fortran_source(description.source, source->where, "source");
-  text.link = description.link;
+  text.link = description.link, text.link_where = link_where;
   const SourceLibrary made = library_of_source(text);
   description.library = made.file;
   description.library_key = "source";

@@ -261,7 +261,8 @@ class Describer {
     const std::string form = source_.form.mixed ? "a" : word_of(source_.form.form);
     return "a " + capital_name(entry_.interface) + " (" + entry_.symbol + ") in " + form + " form" +
            (source_.form.why.empty() ? "" : " " + source_.form.why) +
-           (fixed ? ", read at 132 columns as by Abaqus" : "") + "; " + library_.compiler;
+           (fixed ? std::string(", read at 132 columns") + (is_of_other_vendor(source_) ? "" : " as by Abaqus") : "") +
+           "; " + library_.compiler;
   }
 
   const SourceRequest& request_;

@@ -67,10 +67,15 @@ void refuse_source_options(const SourceOptions& options, const std::string& mate
 /// Whether a material, as it was asked for, is a Fortran source or a deck.
 bool asks_for_source(const std::string& material);
 
+/// A description that was written, absolute, and the warnings that were told.
+struct DescribedSource {
+  std::string file;
+  std::vector<std::string> warnings;
+};
+
 /// Describes the source `material`, absolute, tells on standard error what was taken and guessed, and writes the
-/// description to DIR/NAME.yaml, or beside it where somebody has edited that. The file, absolute. Throws InputError,
-/// SystemError.
-std::string described_source(const std::string& material, SourceRequest request, const std::string& folder,
-                             Verbosity verbosity);
+/// description to DIR/NAME.yaml, or beside it where somebody has edited that. Throws InputError, SystemError.
+DescribedSource described_source(const std::string& material, SourceRequest request, const std::string& folder,
+                                 Verbosity verbosity);
 
 }  // namespace assay::drivers

@@ -25,11 +25,27 @@ std::optional<ForeignInterface> interface_by_arguments(const FortranRoutine& rou
   return std::nullopt;
 }
 
+/// The numbers of arguments that a routine of that name may have; none: the name is that of no other vendor.
+std::vector<std::size_t> served_counts(const std::string& name) {
+  if (name == "usermat") return {41, 42};
+  return is_name_of_lsdyna(name) ? std::vector<std::size_t>{12, 13, 16, 18} : std::vector<std::size_t>();
+}
+
 std::optional<ForeignInterface> interface_of_other_vendors(const FortranRoutine& routine) {
-  const std::size_t count = routine.arguments.size();
-  if (routine.name == "usermat" && (count == 41 || count == 42)) return ForeignInterface::usermat;
-  if (is_name_of_lsdyna(routine.name) && (count == 16 || count == 18)) return ForeignInterface::lsdyna;
-  return std::nullopt;
+  if (std::ranges::count(served_counts(routine.name), routine.arguments.size()) == 0) return std::nullopt;
+  return routine.name == "usermat" ? ForeignInterface::usermat : ForeignInterface::lsdyna;
+}
+
+/// "has 14 arguments, and a user material of LS-DYNA has 12, 13, 16 or 18"; empty where its name says nothing.
+std::string other_count_of(const FortranRoutine& routine) {
+  const std::vector<std::size_t> counts = served_counts(routine.name);
+  if (counts.empty()) return {};
+  std::string list;
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    list += (k == 0 ? "" : k + 1 < counts.size() ? ", " : " or ") + std::to_string(counts[k]);
+  return "has " + std::to_string(routine.arguments.size()) + " arguments, and a " +
+         capital_name(routine.name == "usermat" ? ForeignInterface::usermat : ForeignInterface::lsdyna) + " has " +
+         list;
 }
 
 std::optional<ForeignInterface> interface_by_name(const std::string& name) {
@@ -62,10 +78,11 @@ SourceEntry asked_entry(const FortranSource& source, const std::vector<std::stri
   const auto entry = std::ranges::find_if(entries, is_asked, &SourceEntry::symbol);
   if (entry != entries.end()) return *entry;
   const std::string quoted = "'" + one_line(asked, 80) + "' ";
+  const std::string other = other_count_of(routine_named(source.routines(), fortran_name(asked)));
   throw InputError({source.file}, "symbol",
-                   quoted + (std::ranges::none_of(symbols, is_asked)
-                                 ? "is no routine of it"
-                                 : "has neither the 37 arguments of a UMAT nor the 33 of a VUMAT"),
+                   quoted + (std::ranges::none_of(symbols, is_asked) ? "is no routine of it"
+                             : !other.empty()                        ? other
+                                              : "has neither the 37 arguments of a UMAT nor the 33 of a VUMAT"),
                    joined(entries, &SourceEntry::symbol));
 }
 
@@ -79,6 +96,8 @@ InputError none_found(const FortranSource& source, const std::vector<FortranRout
               "'" + routine.name + "' has the " + count + " arguments of a " + capital_name(*interface) +
                   ", but no program can find it: move it out of its MODULE or CONTAINS"};
     }
+    if (const std::string other = other_count_of(routine); !other.empty())
+      return {{source.file, routine.line, 1}, "", "'" + routine.name + "' " + other};
     names.push_back(routine.name + " (" + count + ")");
   }
   return {
@@ -212,6 +231,11 @@ bool is_of_lsdyna(const FortranSource& source) {
   return std::ranges::any_of(routines, [](const FortranRoutine& routine) {
     return interface_of_other_vendors(routine) == ForeignInterface::lsdyna;
   });
+}
+
+bool is_of_other_vendor(const FortranSource& source) {
+  return std::ranges::any_of(source.routines(),
+                             [](const FortranRoutine& routine) { return !served_counts(routine.name).empty(); });
 }
 
 std::optional<SourceEntry> entry_named(const FortranSource& source, const std::string& symbol) {

@@ -29,6 +29,9 @@ bool is_name_of_lsdyna(const std::string& name);
 /// Whether it has such a routine, in its scalar form: reals have 8 bytes there, whatever is declared.
 bool is_of_lsdyna(const FortranSource& source);
 
+/// Whether it has a routine of Ansys or LS-DYNA, by its name: how their compilers read columns is not known.
+bool is_of_other_vendor(const FortranSource& source);
+
 /// Letters, digits and underscores: no element of an array.
 bool is_plain_variable(const std::string& name);
 
@@ -39,9 +42,9 @@ struct SourceEntry {
 };
 
 /// By the names of the library's symbols and the numbers of their arguments: 37 of a UMAT, 33 of a VUMAT. By their
-/// names: usermat of 41 or 42 arguments, umat41 to umat50 of 16 or 18. The plain
-/// names umat and vumat go before others, as in Abaqus. asked: a name, with or without its underscore, in any letters;
-/// empty: the only one. Throws InputError at the source: none, or several; `key` names the choice.
+/// names: usermat of 41 or 42 arguments, umat41 to umat50 of 12, 13, 16 or 18.
+/// The plain names umat and vumat go before others, as in Abaqus. asked: a name, with or without its underscore, in any
+/// letters; empty: the only one. Throws InputError at the source: none, or several; `key` names the choice.
 SourceEntry entry_of_source(const FortranSource& source, const std::vector<std::string>& symbols,
                             const std::string& asked, const std::string& key);
 
@@ -77,8 +80,8 @@ struct DeckDensity {
 DeckDensity density_of(double value);
 
 /// Sentences on a list of arguments that is not what Abaqus hands over, in their number or by their names in another
-/// order; on arguments whose declared size is another: integers of 8 bytes, reals of 4. And on variables that take a
-/// property and hold less of it: integers by their first letter, reals of 4 bytes.
+/// order; on arguments whose declared size is another: integers of 8 bytes, reals of 4. And on reals of 4 bytes
+/// that take a property.
 std::vector<std::string> entry_traps(const FortranSource& source, const SourceEntry& entry);
 
 /// The same of a symbol, which need not be there.

@@ -119,6 +119,14 @@ SourceLibrary library_of_source(const FortranSource& source) {
   return found();
 }
 
+bool is_made_of_source(const std::string& library) {
+  const fs::path path(library);
+  const std::string stem = path.stem().string();
+  if (path.extension() != ".so" || stem.size() <= digits_of_hash) return false;
+  const std::string hash = stem.substr(stem.size() - digits_of_hash - 1);
+  return hash[0] == '-' && hash.find_first_not_of("0123456789abcdef", 1) == hash.npos;
+}
+
 std::string kept_description(const std::string& stem, const std::string& text) {
   const fs::path folder = source_folder();
   const fs::path file = folder / (plain_stem(stem) + "-" + sha256_hex(text).substr(0, digits_of_hash) + ".yaml");

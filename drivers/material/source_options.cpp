@@ -157,8 +157,8 @@ bool asks_for_source(const std::string& material) {
   return name.is_path && is_source_or_deck(name.file);
 }
 
-std::string described_source(const std::string& material, SourceRequest request, const std::string& folder,
-                             Verbosity verbosity) {
+DescribedSource described_source(const std::string& material, SourceRequest request, const std::string& folder,
+                                 Verbosity verbosity) {
   const MaterialName name = parse_material(material);
   std::string& chosen = is_deck(name.file) ? request.material : request.symbol;
   if (chosen.empty()) chosen = name.table;
@@ -177,7 +177,7 @@ std::string described_source(const std::string& material, SourceRequest request,
   }
   for (const std::string& warning : described.warnings) page += "warning: " + one_line(warning) + "\n";
   std::fputs(without_commands(page, "<U+", ">").c_str(), stderr);
-  return file;
+  return {file, described.warnings};
 }
 
 }  // namespace assay::drivers

@@ -53,13 +53,6 @@ int bytes_of_argument(const std::string& name, bool integer, const std::vector<F
   return integer ? implicit.integer_bytes : implicit.real_bytes;
 }
 
-std::string few_of(const std::vector<std::string>& names) {
-  constexpr std::size_t shown = 4;
-  const std::vector<std::string> first(names.begin(),
-                                       names.begin() + static_cast<std::ptrdiff_t>(std::min(shown, names.size())));
-  return joined(first) + (names.size() > shown ? " and " + std::to_string(names.size() - shown) + " others" : "");
-}
-
 /// "name" of "name=...props(...)", where that is a plain variable and its text makes no whole number of it; or empty.
 std::string receiver_of(const std::string& text, const std::string& props) {
   const std::size_t equals = text.find('=');
@@ -71,32 +64,22 @@ std::string receiver_of(const std::string& text, const std::string& props) {
   return is_plain_variable(name) ? name : std::string();
 }
 
-/// Sentences on variables that hold less of a property than it has.
+/// Sentences on variables that hold less of a property than it has: the compiler tells of integers by their letter.
 void add_lossy(const FortranSource& source, const SourceEntry& entry, const std::vector<FortranVariable>& variables,
-               const ImplicitTypes& implicit, std::vector<std::string>& all) {
+               std::vector<std::string>& all) {
   const std::string props = names_of_entry(entry).props;
-  std::vector<std::string> whole, single;
-  int line_of_whole = 0, line_of_single = 0;
+  std::vector<std::string> single;
+  int line_of_single = 0;
   for (const FortranStatement& statement : entry.routine.statements) {
     const std::string name = receiver_of(statement.text, props);
     if (name.empty()) continue;
     const auto declared = std::ranges::find(variables, name, &FortranVariable::name);
-    const bool is_declared = declared != variables.end();
-    const bool by_letter = !is_declared && !implicit.none && name[0] >= 'i' && name[0] <= 'n';
-    if (by_letter && whole.empty()) line_of_whole = statement.line;
-    if (by_letter) whole.push_back(capital_letters(name));
-    if (!is_declared || declared->type != "real" || declared->bytes != 4) continue;
+    if (declared == variables.end() || declared->type != "real" || declared->bytes != 4) continue;
     if (single.empty()) line_of_single = statement.line;
     single.push_back(capital_letters(name));
   }
-  if (!whole.empty()) {
-    all.push_back(place_text(source.file, line_of_whole) + few_of(whole) +
-                  (whole.size() > 1 ? " are integers by their first letter, and take"
-                                    : " is an integer by its first letter, and takes") +
-                  " PROPS: digits after the decimal point are lost (if this is intended, write INT)");
-  }
   if (!single.empty()) {
-    all.push_back(place_text(source.file, line_of_single) + few_of(single) +
+    all.push_back(place_text(source.file, line_of_single) + few_names(single) +
                   (single.size() > 1 ? " are reals of 4 bytes, and take" : " is a real of 4 bytes, and takes") +
                   " PROPS: only seven digits are kept");
   }
@@ -112,7 +95,7 @@ std::string list_trap(const std::vector<std::string>& arguments, const std::vect
     const bool few = missing.size() + arguments.size() == usual.size();  // the others are called as usual
     return "takes " + std::to_string(arguments.size()) + " arguments, and Abaqus hands over " +
            std::to_string(usual.size()) +
-           (few ? ": " + few_of(missing) + (missing.size() > 1 ? " are" : " is") + " not among them" : "") +
+           (few ? ": " + few_names(missing) + (missing.size() > 1 ? " are" : " is") + " not among them" : "") +
            "; every argument after the first missing or added one is read wrongly";
   }
   for (std::size_t k = 0; k < usual.size(); ++k) {
@@ -144,16 +127,16 @@ std::vector<std::string> entry_traps(const FortranSource& source, const SourceEn
   }
   std::vector<std::string> all;
   if (!wide.empty()) {
-    all.push_back(where + few_of(wide) + (wide.size() > 1 ? " are" : " is") +
+    all.push_back(where + few_names(wide) + (wide.size() > 1 ? " are" : " is") +
                   " declared an integer of 8 bytes, and Abaqus hands over 4: what is read is another number");
   }
   if (!narrow.empty()) {
-    all.push_back(where + few_of(narrow) + (narrow.size() > 1 ? " are reals" : " is a real") +
+    all.push_back(where + few_names(narrow) + (narrow.size() > 1 ? " are reals" : " is a real") +
                   " of 4 bytes, and Abaqus hands over 8: INCLUDE '" +
                   (entry.interface == ForeignInterface::umat ? "ABA_PARAM.INC" : "VABA_PARAM.INC") +
                   "' or IMPLICIT REAL*8 (A-H,O-Z) is missing, or a declaration says real");
   }
-  add_lossy(source, entry, variables, implicit, all);
+  add_lossy(source, entry, variables, all);
   return all;
 }
 

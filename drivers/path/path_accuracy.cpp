@@ -13,16 +13,19 @@ namespace assay::drivers {
 
 namespace {
 
+constexpr double rounding = 1e-9;  ///< an error below it is as large as that of the solution that it is measured by
+
 std::vector<IncrementFindings> findings_of(const std::vector<IncrementError>& errors) {
   std::vector<IncrementFindings> found;
   for (const IncrementError& error : errors) {
     IncrementFindings each;
     each.increments = error.increments;
     each.outcome = names_of(error.outcome)[static_cast<std::size_t>(error.outcome)];
-    each.error = error.stress, each.deformation = error.deformation;
+    each.stress = error.stress, each.deformation = error.deformation;
+    each.error = std::max(error.stress, error.deformation);
     each.material_calls = error.calls, each.call_ns = 1e9 * error.call_seconds;
-    if (!found.empty() && error.stress > 0 && found.back().error > 0) {
-      each.order = std::log(found.back().error / error.stress) /
+    if (!found.empty() && std::min(each.error, found.back().error) > rounding) {
+      each.order = std::log(found.back().error / each.error) /
                    std::log(static_cast<double>(error.increments) / found.back().increments);
     }
     found.push_back(std::move(each));
@@ -31,9 +34,9 @@ std::vector<IncrementFindings> findings_of(const std::vector<IncrementError>& er
 }
 
 std::string increments_csv(const std::vector<IncrementFindings>& findings) {
-  CsvText csv({"increments", "error", "deformation", "order", "material_calls", "call_ns"});
+  CsvText csv({"increments", "error", "stress", "deformation", "order", "material_calls", "call_ns"});
   for (const IncrementFindings& each : findings) {
-    csv.row(std::vector<double>{static_cast<double>(each.increments), each.error, each.deformation,
+    csv.row(std::vector<double>{static_cast<double>(each.increments), each.error, each.stress, each.deformation,
                                 each.order.value_or(NAN), static_cast<double>(each.material_calls), each.call_ns});
   }
   return csv.text();
@@ -41,17 +44,17 @@ std::string increments_csv(const std::vector<IncrementFindings>& findings) {
 
 /// Error over the time that all calls of the path take.
 LinePlot cost_plot(const std::vector<IncrementFindings>& findings, const std::string& title) {
-  Series stress;
-  stress.markers = true;
+  Series errors;
+  errors.markers = true;
   for (const IncrementFindings& each : findings) {
-    stress.x.push_back(1e-6 * each.call_ns * static_cast<double>(each.material_calls)), stress.y.push_back(each.error);
+    errors.x.push_back(1e-6 * each.call_ns * static_cast<double>(each.material_calls)), errors.y.push_back(each.error);
   }
   return {.title = title + ": what accuracy costs",
           .x_label = "time of the path [ms]",
-          .y_label = "relative error of the stress",
+          .y_label = "relative error",
           .log_x = true,
           .log_y = true,
-          .series = {stress}};
+          .series = {errors}};
 }
 
 LinePlot increments_plot(const std::vector<IncrementFindings>& findings, const std::string& title) {
@@ -59,7 +62,7 @@ LinePlot increments_plot(const std::vector<IncrementFindings>& findings, const s
   stress.name = "stress", deformation.name = "deformation";
   stress.markers = deformation.markers = true;
   for (const IncrementFindings& each : findings) {
-    stress.x.push_back(each.increments), stress.y.push_back(each.error);
+    stress.x.push_back(each.increments), stress.y.push_back(each.stress);
     deformation.x.push_back(each.increments), deformation.y.push_back(each.deformation);
   }
   return {.title = title + ": error of increments",
@@ -83,12 +86,13 @@ HeatMap iso_picture(const IsoErrorChoice& choice, const IsoErrorMap& map, const 
   return picture;
 }
 
-std::string iso_csv(const IsoErrorMap& map) {
+/// Strains as they are, not in units of the map.
+std::string iso_csv(const IsoErrorMap& map, double unit) {
   CsvText csv({"e11", "e22", "error"});
   const std::size_t points = map.units.size();
   for (std::size_t i = 0; i < points; ++i) {
     for (std::size_t j = 0; j < points; ++j)
-      csv.row(std::vector<double>{map.units[i], map.units[j], map.errors[i * points + j]});
+      csv.row(std::vector<double>{unit * map.units[i], unit * map.units[j], map.errors[i * points + j]});
   }
   return csv.text();
 }
@@ -119,7 +123,7 @@ PathAccuracy path_accuracy(const PathScene& scene, const Material& material, con
       if (progress) progress(share);
     });
     accuracy.iso_error = IsoErrorFindings{map.largest, map.mean, map.order};
-    accuracy.files["iso_error.csv"] = iso_csv(map);
+    accuracy.files["iso_error.csv"] = iso_csv(map, scene.iso_error->unit);
     accuracy.files["iso_error.png"] = png(iso_picture(*scene.iso_error, map, title));
   }
   return accuracy;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fields of the surroundings along a path, as temperature.
+#include <algorithm>
+#include <cmath>
+
 #include "drivers/path/path_scene.hpp"
 #include "drivers/text/numbers.hpp"
 
@@ -29,12 +32,17 @@ void read_path_fields(const Tree& tree, PathScene& scene) {
 }
 
 void check_path_fields(const PathScene& scene) {
+  constexpr double jump = 1e-12;  // of the largest value: less is rounding where two parts of a function meet
   for (const PathField& field : scene.fields) {
+    const std::string key = "path.fields." + field.name;
+    check_times(field.value, key, scene);
     const TimeFunction function = field_function(field, scene.end);
-    for (const double t : function.knots(scene.end)) {
-      if (t <= 0 || t >= scene.end || function.at(t, false) == function.at(t, true)) continue;
-      throw InputError(field.where, "path.fields." + field.name,
-                       "jumps at t = " + rounded_text(t, 6) + " s: a field is continuous");
+    const std::vector<double> knots = function.knots(scene.end);
+    double largest = 0;
+    for (const double t : knots) largest = std::max(largest, std::abs(function.at(t)));
+    for (const double t : knots) {
+      if (!(std::abs(function.at(t, true) - function.at(t, false)) > jump * largest)) continue;
+      throw InputError(field.where, key, "jumps at t = " + scene.units.text(t, "s", 6) + ": a field is continuous");
     }
   }
 }

@@ -92,7 +92,7 @@ std::map<std::string, std::string> path_pictures(const PathScene& scene, const s
   const PathComparison& compare = *scene.compare;
   const auto name_of = [](const PathQuantity& quantity) {
     const PathTerm& term = quantity.terms[0];
-    return term.of_J() ? term.family : term.family + std::to_string(term.i + 1) + std::to_string(term.j + 1);
+    return term.name();
   };
   LinePlot plot = plot_over(tables, title, compare.x.terms.empty() ? "t" : name_of(compare.x), {name_of(compare.y)});
   const auto in_author_units = [&](std::vector<double> values, const PathQuantity& quantity) {

@@ -62,7 +62,7 @@ bool PathQuantity::of_deformation() const {
 
 std::string PathQuantity::component() const {
   if (terms.size() != 1 || terms[0].factor != 1 || terms[0].of_J()) return {};
-  return std::to_string(terms[0].i + 1) + std::to_string(terms[0].j + 1);
+  return terms[0].indices();
 }
 
 std::optional<PathQuantity> parse_quantity(const std::string& text, std::string& fault) {

@@ -19,6 +19,8 @@ struct PathTerm {
 
   bool of_stress() const { return family == "s" || family == "tau" || family == "P"; }
   bool of_J() const { return family == "J" || family == "lnJ"; }
+  std::string indices() const { return of_J() ? "" : std::to_string(i + 1) + std::to_string(j + 1); }
+  std::string name() const { return family + indices(); }
   bool symmetric() const { return family == "e" || family == "s" || family == "tau"; }
 };
 

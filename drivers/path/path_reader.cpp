@@ -206,7 +206,8 @@ void read_path(const Tree& tree, PathScene& scene) {
   if (scene.end > most_seconds)
     throw InputError(control->where, key_path(scene.section, "control"),
                      "goes on until " + scene.units.text(scene.end, "s") + ": 1e9 s at most");
-  for (const PathRow& row : scene.rows) check_times(row, scene);
+  for (const PathRow& row : scene.rows)
+    check_times(row.value, key_path(key_path(scene.section, "control"), row.quantity.text), scene);
   check_path_fields(scene);
   set_measures(control->where, scene);
   complete_rows(scene, control->where);

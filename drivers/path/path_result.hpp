@@ -21,16 +21,18 @@ namespace assay::drivers {
 struct IncrementFindings {
   int increments = 0;
   std::string outcome;
-  double error = 0, deformation = 0, call_ns = 0;
+  double error = 0, stress = 0, deformation = 0, call_ns = 0;
   std::int64_t material_calls = 0;
   Figure order;
 
   static void fields(auto& self, auto& archive) {
     archive("increments", self.increments, "1", "increments between two knots");
     archive("outcome", self.outcome, "", "as of a path");
-    archive("error", self.error, "1", "largest error of the stress at a knot, relative to the largest stress");
-    archive("deformation", self.deformation, "1", "the same of the deformation that is solved for");
-    archive("order", self.order, "1", "from the number of increments before");
+    archive("error", self.error, "1", "the larger of the two errors that follow");
+    archive("stress", self.stress, "1", "largest error of the stress at a knot, relative to the largest stress");
+    archive("deformation", self.deformation, "1", "largest error of the deformation at a knot, relative to its change");
+    archive("order", self.order, "1",
+            "of the error, from the number of increments before; none where both are rounding");
     archive("material_calls", self.material_calls, "1", "points updated");
     archive("call_ns", self.call_ns, "ns", "time of a call, with the solver's share");
   }
@@ -73,7 +75,7 @@ struct PathFindings {
     archive("residual", self.residual, "1", "largest residual of the rows, in strains");
     archive("steps", self.steps, "1", "steps that were accepted");
     archive("material_calls", self.material_calls, "1", "points updated");
-    archive("loses_ellipticity", self.loses_ellipticity, "s", "time at which the acoustic tensor becomes singular");
+    archive("loses_ellipticity", self.loses_ellipticity, "s", "time at which strong ellipticity is lost");
     archive("normal", self.normal, "", "then: normal of the plane, in the reference configuration");
     archive("branches", self.branches, "s", "times at which another solution begins");
     archive("misfit", self.misfit, "1", "root mean square difference to the measured values over their largest");

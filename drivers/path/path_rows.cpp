@@ -41,7 +41,7 @@ std::string in_measures(const std::string& pattern, const PathScene& scene) {
 void note_components(const PathQuantity& quantity, std::set<std::string>& found) {
   for (const PathTerm& term : quantity.terms) {
     if (term.of_J()) found.insert({"11", "22", "33"});
-    if (!term.of_J()) found.insert(std::to_string(term.i + 1) + std::to_string(term.j + 1));
+    if (!term.of_J()) found.insert(term.indices());
   }
 }
 
@@ -137,7 +137,7 @@ void complete_rows(PathScene& scene, const Location& where) {
   if (!type->drives.empty()) {
     const bool drives = std::ranges::any_of(scene.rows, [&](const PathRow& row) {
       return std::ranges::any_of(row.quantity.terms, [&](const PathTerm& term) {
-        return term.of_J() || is_one_of(std::to_string(term.i + 1) + std::to_string(term.j + 1), type->drives);
+        return term.of_J() || is_one_of(term.indices(), type->drives);
       });
     });
     if (!drives)
@@ -183,8 +183,7 @@ PathQuantity in_si(PathQuantity quantity, const Units& units) {
     const double size = std::abs(term.factor);
     const std::string sign = term.factor < 0 ? "-" : quantity.text.empty() ? "" : "+";
     quantity.text += (quantity.text.empty() ? "" : " ") + sign + (sign.empty() ? "" : " ") +
-                     (size == 1 ? "" : yaml_number(size) + " ") + term.family + std::to_string(term.i + 1) +
-                     std::to_string(term.j + 1);
+                     (size == 1 ? "" : yaml_number(size) + " ") + term.name();
   }
   return quantity;
 }
@@ -195,10 +194,8 @@ HistoryKind kind_of(const PathQuantity& quantity) {
   return rate ? HistoryKind::rate : HistoryKind::number;
 }
 
-void check_times(const PathRow& row, const PathScene& scene) {
+void check_times(const PathFunction& f, const std::string& key, const PathScene& scene) {
   const double end = scene.end;
-  const PathFunction& f = row.value;
-  const std::string key = key_path(key_path(scene.section, "control"), row.quantity.text);
   if (f.type == PathFunction::Type::ramp && f.begin >= end)
     throw InputError(f.where, key_path(key, "begin"), "the path ends at " + scene.units.text(end, "s"));
   const bool waves = f.type == PathFunction::Type::sine || f.type == PathFunction::Type::cycles;
@@ -247,7 +244,17 @@ Control control_of(const PathScene& scene) {
     control.rows.push_back(std::move(made));
   }
   for (const double t : knots_of_fields(scene)) knots.insert(t);
-  control.knots.assign(knots.begin(), knots.end());
+  const auto jumps = [&](double t) {
+    return std::ranges::any_of(control.rows,
+                               [&](const ControlRow& row) { return row.value(t, true) != row.value(t, false); });
+  };
+  for (const double t : knots) {
+    const bool is_new = control.knots.empty() || t - control.knots.back() > same_time * scene.end;
+    if (is_new)
+      control.knots.push_back(t);
+    else if (t == begin + scene.end || (control.knots.size() > 1 && jumps(t)))
+      control.knots.back() = t;
+  }
   control.initial_cauchy = symmetric_tensor(scene.initial_stress);
   for (const PathStop& stop : scene.stops) {
     ControlStop made{stop.when, control_quantity(stop.quantity, scene.deformation), stop.bound, {}};

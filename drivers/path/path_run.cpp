@@ -77,7 +77,17 @@ std::string reason_of(const PathScene& scene, const ControlledHistory& history) 
 
 std::vector<double> times_of(const PathScene& scene, const Control& control) {
   std::set<double> times(control.knots.begin(), control.knots.end());
-  for (int k = 0; k <= scene.count; ++k) times.insert(control.begin() + scene.end * k / scene.count);
+  const double same = same_time * scene.end;
+  const auto insert = [&](double t) {
+    const auto behind = times.lower_bound(t - same);
+    if (behind == times.end() || *behind > t + same) times.insert(t);
+  };
+  for (int k = 0; k <= scene.count; ++k) insert(control.begin() + scene.end * k / scene.count);
+  if (scene.compare && scene.compare->x.terms.empty()) {  // so that the path is known where it is measured
+    for (const double t : scene.compare->y_of_x.times) {
+      if (t > control.begin()) insert(t);
+    }
+  }
   if (scene.start) times.erase(times.begin());  // that row is the last of the stage before
   return {times.begin(), times.lower_bound(std::nextafter(control.end(), INFINITY))};
 }
@@ -113,7 +123,7 @@ ControlledHistory follow_stage(const PathScene& scene, const Material& material,
     found.loses_ellipticity = time.from_si(*history.loses_ellipticity);
     found.normal = {history.normal(0), history.normal(1), history.normal(2)};
     found.warnings.push_back(
-        "the acoustic tensor is singular at t = " + scene.units.text(*history.loses_ellipticity, "s", 6) +
+        "strong ellipticity is lost at t = " + scene.units.text(*history.loses_ellipticity, "s", 6) +
         ", for planes with the normal " + normal_text(history.normal));
   }
   found.error += history.error;

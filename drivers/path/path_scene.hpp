@@ -106,6 +106,7 @@ std::vector<double> knots_of_fields(const PathScene& scene);
 
 /// A material whose fields follow the path. Throws InputError: what resolve_material() does, no such field.
 ResolvedMaterial resolve_path_material(const PathScene& scene, const MaterialChoice& choice);
+
 /// What a type of path supplies: rows by their text, for the measures that are in use, and what must be given.
 struct PathType {
   const char* word;
@@ -120,16 +121,20 @@ void complete_rows(PathScene& scene, const Location& where);
 
 /// The same, but what stands beside a stress: "s11 + 2000 e11" in MPa is "s11 + 2000000000 e11".
 PathQuantity in_si(PathQuantity quantity, const Units& units);
+
 /// Measured values; a list of numbers of increments, ascending; a map of strains. Throw InputError.
 void read_compare(const Tree& tree, PathScene& scene);
 void read_increments(const Tree& tree, PathScene& scene);
 void read_iso_error(const Tree& tree, PathScene& scene);
 
+/// Of the end: two times that differ by less are one, of which rounding has made two.
+inline constexpr double same_time = 1e-12;
+
 /// What values of the quantity measure.
 HistoryKind kind_of(const PathQuantity& quantity);
 
 /// Throws InputError where a function has too many periods until the end, or begins behind it.
-void check_times(const PathRow& row, const PathScene& scene);
+void check_times(const PathFunction& f, const std::string& key, const PathScene& scene);
 
 /// Notes where a spline leaves the range of its data.
 void warn_of_swings(PathScene& scene);

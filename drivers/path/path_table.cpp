@@ -163,7 +163,8 @@ double largest_difference(const PathTable& one, const PathTable& other) {
     for (std::size_t i = 0, k = 0; i < t.size(); ++i) {
       largest = std::max(largest, std::abs(s[i]));
       while (k < t_other.size() && t_other[k] < t[i]) ++k;
-      if (k < t_other.size() && t_other[k] == t[i]) difference = std::max(difference, std::abs(s[i] - s_other[k]));
+      if (k == t_other.size() || t_other[k] != t[i]) continue;
+      difference = std::max(difference, std::abs(s[i] - s_other[k++]));  // at a jump two rows are at one time
     }
   }
   return largest > 0 ? difference / largest : difference > 0 ? INFINITY : 0;
@@ -175,8 +176,7 @@ std::optional<double> misfit(const PathComparison& compare, const PathTable& tab
   const auto values_of = [&](const PathQuantity& quantity) {
     std::vector<double> values(table.rows(), 0.0);
     for (const PathTerm& term : quantity.terms) {
-      const auto* column =
-          table.column(term.of_J() ? "J" : term.family + std::to_string(term.i + 1) + std::to_string(term.j + 1));
+      const auto* column = table.column(term.of_J() ? "J" : term.name());
       for (std::size_t i = 0; column && i < values.size(); ++i)
         values[i] += term.factor * (term.family == "lnJ" ? std::log((*column)[i]) : (*column)[i]);
     }

@@ -33,6 +33,23 @@ std::string expected_text(const PathResult& result, bool that_hold) {
   return expectations_text(lines, that_hold);
 }
 
+/// Whose figure a key names: the label of a variant, none for the path's own, and the key without that prefix.
+struct NamedFigure {
+  std::string label, key;
+  bool of_column() const { return key.starts_with("last.") || key.starts_with("largest."); }
+  std::string column() const { return key.substr(key.find('.') + 1); }
+};
+
+NamedFigure named_figure(const PathScene& scene, const std::string& key) {
+  NamedFigure found{"", key};
+  for (const PathVariant& variant : scene.variants) {
+    const std::string prefix = "variants." + variant.label + ".";
+    if (key.starts_with(prefix) && variant.label.size() > found.label.size())
+      found = {variant.label, key.substr(prefix.size())};
+  }
+  return found;
+}
+
 std::vector<ExpectationOutcome> judged_path(const PathScene& scene, const PathResult& result) {
   const auto figures = path_figures(result);
   std::vector<ExpectationOutcome> all;
@@ -44,8 +61,7 @@ std::vector<ExpectationOutcome> judged_path(const PathScene& scene, const PathRe
     }
     const auto found = figures.find(line.key);
     if (found != figures.end()) value = found->second;
-    if (found == figures.end() && !result.own.last.empty() &&
-        (line.key.find("last.") != line.key.npos || line.key.find("largest.") != line.key.npos)) {
+    if (found == figures.end() && !result.own.last.empty() && named_figure(scene, line.key).of_column()) {
       std::vector<std::string> names;
       for (const auto& [name, last] : result.own.last) names.push_back(name);
       throw InputError(line.where, "expect." + line.key, "is no column of path.csv", joined(names));
@@ -59,13 +75,14 @@ std::vector<ExpectationOutcome> judged_path(const PathScene& scene, const PathRe
 std::vector<Expectation> expected_in_si(const PathScene& scene, const PathTable& table) {
   std::vector<Expectation> lines;
   for (Expectation line : scene.expect) {
-    const std::string column = line.key.substr(line.key.find('.') + 1);
-    const auto found = std::ranges::find(table.names, column);
-    const bool of_column = line.key.starts_with("last.") || line.key.starts_with("largest.");
-    if (of_column && found == table.names.end()) continue;
-    const bool of_time = line.key == "t" || line.key == "loses_ellipticity";
+    const NamedFigure figure = named_figure(scene, line.key);
+    const auto found = std::ranges::find(table.names, figure.column());
+    const bool is_known = found != table.names.end();
+    if (figure.of_column() && !is_known && figure.label.empty()) continue;
+    const bool of_time = figure.key == "t" || figure.key == "loses_ellipticity";
+    const bool converts = figure.of_column() && is_known;  // what a variant's model alone keeps has its own unit
     const Scale scale =
-        scene.units.scale(of_column ? table.si_units[static_cast<std::size_t>(found - table.names.begin())]
+        scene.units.scale(converts  ? table.si_units[static_cast<std::size_t>(found - table.names.begin())]
                           : of_time ? "s"
                                     : "1");
     line.number = scale.to_si(line.number), line.upper = scale.to_si(line.upper);

@@ -13,7 +13,7 @@ namespace {
 /// A table, each column to the right.
 std::string increments_text(const std::vector<IncrementFindings>& findings) {
   if (findings.empty()) return {};
-  std::string text = "  increments  largest error  order  ns a call\n";
+  std::string text = "  increments  largest error    order  ns a call\n";
   const auto cell = [&](const std::string& word, std::size_t width) {
     text += std::string(width - std::min(width, word.size()), ' ') + word;
   };
@@ -21,7 +21,7 @@ std::string increments_text(const std::vector<IncrementFindings>& findings) {
     const bool whole = each.outcome == "completed";
     cell(grouped_text(each.increments), 12);
     cell(whole ? rounded_text(each.error, 3) : each.outcome, 15);
-    cell(whole && each.order ? rounded_text(*each.order, 3) : "", 7);
+    cell(whole && each.order ? rounded_text(*each.order, 3) : "", 9);
     cell(rounded_text(each.call_ns, 3), 11);
     text += "\n";
   }
@@ -50,18 +50,34 @@ std::string findings_text(const PathFindings& found) {
 }
 
 std::string end_text(const PathScene& scene, const PathFindings& found) {
+  constexpr double rounding = 1e-13;  // of a deformation
   std::string text;
+  const auto value_of = [&](const std::string& name) {
+    const auto at = found.last.find(name == "lnJ" ? "J" : name);
+    const double value = at == found.last.end() ? NAN : at->second;
+    return name == "lnJ" ? std::log(value) : value;
+  };
+  const auto add = [&](const std::string& name, double value, const std::string& unit) {
+    if (!std::isfinite(value)) return;
+    const double shown = unit.empty() && std::abs(value) < rounding ? 0 : value;
+    text += (text.empty() ? "" : ", ") + name + " = " + rounded_text(shown, 6) + unit;
+  };
+  const std::string stress = " " + scene.units.name("Pa");
   for (const PathRow& row : scene.rows) {
-    if (row.origin == PathRow::Origin::held || row.quantity.component().empty()) continue;
+    if (row.origin == PathRow::Origin::held) continue;
+    const bool given = row.origin == PathRow::Origin::given;
     const std::string ij = row.quantity.component();
-    const auto add = [&](const std::string& name, const std::string& unit) {
-      const auto at = found.last.find(name);
-      if (at != found.last.end())
-        text += (text.empty() ? "" : ", ") + name + " = " + rounded_text(at->second, 6) + unit;
-    };
+    if (ij.empty()) {
+      if (!given || (row.quantity.of_stress() && row.quantity.of_deformation())) continue;
+      double sum = 0;
+      for (const PathTerm& term : row.quantity.terms) sum += term.factor * value_of(term.name());
+      add(row.quantity.text, sum, row.quantity.of_stress() ? stress : "");
+      continue;
+    }
     const std::string upper = ij[0] <= ij[1] ? ij : std::string{ij[1], ij[0]};
-    add(scene.deformation == Deformation::gradient ? "F" + ij : "e" + upper, "");
-    if (row.origin == PathRow::Origin::given) add("s" + upper, " " + scene.units.name("Pa"));
+    const std::string deformation = scene.deformation == Deformation::gradient ? "F" + ij : "e" + upper;
+    add(deformation, value_of(deformation), "");
+    if (given) add("s" + upper, value_of("s" + upper), stress);
   }
   return text.empty()
              ? text

@@ -2,7 +2,6 @@
 // Keys of a scene that do not go together.
 #include "drivers/scene/scene_reader.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -20,11 +19,6 @@ namespace assay::drivers {
 
 namespace {
 
-std::string text(std::span<const double> p) {
-  return flow_list(mapped(p, [](double x) { return number_text(x); }));
-}
-std::string text(const PerAxis<double>& p) { return text(std::span(&p[0], p.size())); }
-
 bool is_node(double x, double h) {
   constexpr double rounding = 1e-9;  // of a cell, as the lattices count it
   return std::abs(x / h - std::round(x / h)) <= rounding;
@@ -38,8 +32,12 @@ class SceneCheck {
   void all() const {
     check_title();
     check_dimension();
-    const MotionUse use{scene_.time.end, scene_.method.has_value(), [&](const std::string& key) { return given(key); },
-                        scene_.dimension};
+    MotionUse use{scene_.time.end, scene_.method.has_value(), [&](const std::string& key) { return given(key); },
+                  scene_.dimension};
+    if (!scene_.units.is_si())
+      use.in_units = [&](double value, std::string_view unit, int digits) {
+        return digits > 0 ? scene_.units.text(value, unit, digits) : scene_.units.text(value, unit);
+      };
     if (const auto found = scene_.motion->fault(use)) refuse_if(true, found->key, found->what);
     const auto direction = scene_.material.direction.value_or(std::array{1.0, 0.0, 0.0});
     refuse_if(direction[0] == 0 && direction[1] == 0 && direction[2] == 0, "material.direction", "must not be zero");
@@ -64,10 +62,19 @@ class SceneCheck {
   bool given(const std::string& key) const { return scene_.places.contains(key); }
 
   void refuse_if(bool fault, const std::string& key, const std::string& what) const {
-    if (!fault) return;
-    const bool has_numbers = std::ranges::any_of(what, [](char c) { return c >= '0' && c <= '9'; });
-    throw InputError(where_(key), key, what + (has_numbers && !scene_.units.is_si() ? " (in SI units)" : ""));
+    if (fault) throw InputError(where_(key), key, what);
   }
+
+  /// In the units of the scene.
+  std::string length(double x) const { return number_text(scene_.units.scale("m").from_si(x)) + unit("m"); }
+  std::string lengths(std::span<const double> p) const {
+    const Scale scale = scene_.units.scale("m");
+    return flow_list(mapped(p, [&](double x) { return number_text(scale.from_si(x)); })) + unit("m");
+  }
+  std::string lengths(const PerAxis<double>& p) const { return lengths(std::span(&p[0], p.size())); }
+  std::string duration(double t) const { return number_text(scene_.units.scale("s").from_si(t)) + unit("s"); }
+  /// Behind a number; a scene in SI has none there.
+  std::string unit(const char* si) const { return scene_.units.is_si() ? "" : " " + scene_.units.name(si); }
 
   void check_title() const {
     for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {
@@ -91,7 +98,7 @@ class SceneCheck {
     bool ordered = true;
     for (std::size_t d = 0; d < axes(); ++d) ordered = ordered && lower[d] < upper[d];
     refuse_if(!ordered, section + ".lower",
-              "must be less than " + section + ".upper, found " + text(lower) + " and " + text(upper));
+              "must be less than " + section + ".upper, found " + lengths(lower) + " and " + lengths(upper));
   }
 
   /// In space there are boxes, and the bodies of vortices.
@@ -125,9 +132,9 @@ class SceneCheck {
       const double lower = vortex ? around.lower[d] : -ring_->outer, upper = vortex ? around.upper[d] : ring_->outer;
       const double rounding = 1e-12 * (upper - lower);
       refuse_if(!(body.lower[d] <= lower + rounding && body.upper[d] >= upper - rounding), "body.domain",
-                "must contain the vortex, which reaches from " + number_text(lower) + " to " + number_text(upper) +
-                    " along " + std::string(1, "XYZ"[d]) + ", and reaches from " + text(body.lower) + " to " +
-                    text(body.upper));
+                "must contain the vortex, which reaches from " + length(lower) + " to " + length(upper) + " along " +
+                    std::string(1, "XYZ"[d]) + ", and reaches from " + lengths(body.lower) + " to " +
+                    lengths(body.upper));
     }
   }
 
@@ -156,11 +163,11 @@ class SceneCheck {
     check_corners(body.lower, body.upper, "body");
     const double width = body.upper[0] - body.lower[0], height = body.upper[1] - body.lower[1];
     refuse_if(body.domain == Body::Domain::square && std::abs(width - height) > 1e-12 * width, "body.upper",
-              "a square has equal sides, found " + number_text(width) + " and " + number_text(height));
+              "a square has equal sides, found " + length(width) + " and " + length(height));
     for (std::size_t i = 0; ring_ && i < 2; ++i) {
       refuse_if(!(body.lower[i] <= -ring_->outer && body.upper[i] >= ring_->outer), "body.domain",
-                "must contain the ring of the vortex (outer " + number_text(ring_->outer) + "), reaches from " +
-                    text(body.lower) + " to " + text(body.upper));
+                "must contain the ring of the vortex (outer " + length(ring_->outer) + "), reaches from " +
+                    lengths(body.lower) + " to " + lengths(body.upper));
     }
   }
 
@@ -189,8 +196,8 @@ class SceneCheck {
       const double h = scene_.grid->spacing;
       refuse_if(scene_.grid->offset[d] != 0, "grid.offset", points + "and the offset cuts these");
       refuse_if(!is_node(body.lower[d], h) || !is_node(body.upper[d], h), "body.lattice",
-                points + "and the body's corners " + text(body.lower) + " and " + text(body.upper) +
-                    " are no multiples of grid.spacing, " + number_text(h));
+                points + "and the body's corners " + lengths(body.lower) + " and " + lengths(body.upper) +
+                    " are no multiples of grid.spacing, " + length(h));
     }
     if (!scene_.method) return;
     refuse_if(!mpm::traits_of<2>(scene_.method->basis).at_points, "body.lattice",
@@ -231,7 +238,8 @@ class SceneCheck {
       const bool below = (*grid.lower)[i] > body.lower[i];
       refuse_if(below || !((*grid.upper)[i] >= body.upper[i]), below ? "grid.lower" : "grid.upper",
                 "the grid must contain the body" + way + ", which reaches " +
-                    text(std::span<const double>(below ? body.lower : body.upper)) + ": particles would lie outside");
+                    lengths(std::span<const double>(below ? body.lower : body.upper)) +
+                    ": particles would lie outside");
     }
   }
 
@@ -274,8 +282,7 @@ class SceneCheck {
               std::string("current takes steps by method.courant, and ") + fixed->key + " fixes them");
     const auto* box = scene_.motion.as<AxisAligned>();
     const bool known_end = !box || box->given_speed || given("time.end");
-    refuse_if(known_end && fixed->dt > time.end, fixed->key,
-              "must not exceed time.end, found " + number_text(fixed->dt));
+    refuse_if(known_end && fixed->dt > time.end, fixed->key, "must not exceed time.end, found " + duration(fixed->dt));
   }
 
   const Scene& scene_;

@@ -128,6 +128,35 @@ std::vector<Key> item_rows(const KeyInfo& list) {
   return rows;
 }
 
+std::vector<Key> rows_of_part(const std::string& section, const std::function<void(Keys&)>& sample,
+                              const std::function<void(const Scene&, Keys&)>& look,
+                              const std::function<void(Scene&, Keys&)>& change) {
+  std::vector<Key> rows;
+  EachKey each([&](const KeyInfo& info, KeyType type, const Value&) -> EachKey::Answer {
+    const std::string name(info.name);
+    const auto get = [name, look](const Scene& scene) {
+      Value found;
+      EachKey visitor([&](const KeyInfo& key, KeyType, const Value& value) -> EachKey::Answer {
+        if (key.shown && key.name == name) found = value;
+        return std::nullopt;
+      });
+      look(scene, visitor);
+      return found;
+    };
+    const auto set = [name, change](Scene& scene, const Value& value) {
+      EachKey visitor([&](const KeyInfo& key, KeyType, const Value&) {
+        return key.name == name ? EachKey::Answer(value) : std::nullopt;
+      });
+      change(scene, visitor);
+    };
+    rows.push_back(key_row(key_path(section, name), info.doc, type, info, get, set));
+    rows.back().items = item_rows(info);
+    return std::nullopt;
+  });
+  sample(each);
+  return rows;
+}
+
 const std::vector<Section>& scene_sections() {
   static const std::vector<Section> sections = all_sections();
   return sections;

@@ -87,33 +87,20 @@ void show(std::optional<Part>& part, Keys& visitor) {
   if (part) part->keys(visitor);
 }
 
-/// Returns a row for each key that `sample` shows. std::invoke(part, scene) leads to the same part of a scene.
+/// A row for each key that `sample` shows. look, change: show those of a scene.
+std::vector<Key> rows_of_part(const std::string& section, const std::function<void(Keys&)>& sample,
+                              const std::function<void(const Scene&, Keys&)>& look,
+                              const std::function<void(Scene&, Keys&)>& change);
+
+/// The same; std::invoke(part, scene) leads to the part of a scene that `sample` is one of.
 std::vector<Key> keys_of(const std::string& section, auto sample, auto part) {
-  std::vector<Key> keys;
-  EachKey each([&](const KeyInfo& info, KeyType type, const Value&) -> EachKey::Answer {
-    const std::string name(info.name);
-    const auto get = [name, part](const Scene& scene) {
-      Value found;
-      EachKey look([&](const KeyInfo& key, KeyType, const Value& value) -> EachKey::Answer {
-        if (key.shown && key.name == name) found = value;
-        return std::nullopt;
-      });
-      auto copy = std::invoke(part, scene);
-      show(copy, look);
-      return found;
-    };
-    const auto set = [name, part](Scene& scene, const Value& value) {
-      EachKey give([&](const KeyInfo& key, KeyType, const Value&) {
-        return key.name == name ? EachKey::Answer(value) : std::nullopt;
-      });
-      show(std::invoke(part, scene), give);
-    };
-    keys.push_back(key_row(key_path(section, name), info.doc, type, info, get, set));
-    keys.back().items = item_rows(info);
-    return std::nullopt;
-  });
-  show(sample, each);
-  return keys;
+  const auto look = [part](const Scene& scene, Keys& visitor) {
+    auto copy = std::invoke(part, scene);
+    show(copy, visitor);
+  };
+  const auto change = [part](Scene& scene, Keys& visitor) { show(std::invoke(part, scene), visitor); };
+  return rows_of_part(
+      section, [&](Keys& visitor) { show(sample, visitor); }, look, change);
 }
 
 /// The keys of `motion`.

@@ -62,10 +62,11 @@ std::optional<GrowthFigures> growth_of(const std::vector<ErrorSample>& history) 
   return best;
 }
 
-std::string growth_sentence(const GrowthFigures& growth, mpm::TractionForm form) {
+std::string growth_sentence(const GrowthFigures& growth, mpm::TractionForm form, const Units& units) {
   const bool reference = form == mpm::TractionForm::reference;
-  return "the error grows as exp(" + rounded_text(growth.rate, 3) + " t/s) from t = " + rounded_text(growth.from, 3) +
-         " to " + rounded_text(growth.to, 3) + " s: the exact motion is not stable under tractions of the " +
+  const std::string rate = rounded_text(units.scale("1/s").from_si(growth.rate), 3);
+  return "the error grows as exp(" + rate + " t/" + units.time + ") from t = " + units.text(growth.from, "s", 3) +
+         " to " + units.text(growth.to, "s", 3) + ": the exact motion is not stable under tractions of the " +
          (reference ? "reference form, P N dA0; take traction.form: follower"
                     : "follower form, sigma n ds; take traction.form: reference");
 }

@@ -170,8 +170,8 @@ std::vector<std::string> HealthWatch<Dim>::sentences() const {
   std::vector<std::string> all;
   if (figures_.courant.value_or(0) > 1) {
     all.push_back("the Courant number reached " + rounded_text(*figures_.courant, 3) +
-                  ", with particles that moved at up to " + rounded_text(*figures_.fastest, 3) +
-                  " m/s: the time step was too long");
+                  ", with particles that moved at up to " + problem_->scene.units.text(*figures_.fastest, "m/s", 3) +
+                  ": the time step was too long");
   }
   if (figures_.domain_extent.value_or(0) > long_domain) {
     all.push_back("domains reached " + rounded_text(*figures_.domain_extent, 3) +

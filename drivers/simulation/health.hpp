@@ -78,6 +78,6 @@ class Accounts {
 std::optional<GrowthFigures> growth_of(const std::vector<ErrorSample>& history);
 
 /// What to do about it, for a motion under tractions.
-std::string growth_sentence(const GrowthFigures& growth, mpm::TractionForm form);
+std::string growth_sentence(const GrowthFigures& growth, mpm::TractionForm form, const Units& units);
 
 }  // namespace assay::drivers

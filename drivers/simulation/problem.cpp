@@ -9,6 +9,7 @@
 #include "drivers/scene/scene_keys.hpp"
 #include "drivers/simulation/body_faces.hpp"
 #include "drivers/simulation/time_steps.hpp"
+#include "drivers/simulation/warnings.hpp"
 #include "drivers/system/terminal.hpp"
 #include "drivers/text/numbers.hpp"
 #include "harness/motion/kinds/axis_aligned.hpp"
@@ -61,14 +62,15 @@ void resolve_wave_speed(Scene& scene) {
   const auto modulus = scene.material.parameters.find("E");
   if (modulus == scene.material.parameters.end() || !(modulus->second > 0)) {
     refuse(scene, "motion.wave_speed",
-           "auto takes sqrt(E/rho0), and the material has no parameter E above 0: give it [m/s]");
+           "auto takes sqrt(E/rho0), and the material has no parameter E above 0: give it [" + scene.units.name("m/s") +
+               "]");
   }
   const double speed = std::sqrt(modulus->second / scene.material.density);
   if (!(speed >= AxisAligned::least_wave_speed && speed <= AxisAligned::most_wave_speed)) {
     refuse(scene, "motion.wave_speed",
-           "auto takes sqrt(E/rho0), which is " + rounded_text(speed, 3) + " m/s, beyond " +
-               rounded_text(speed > 1 ? AxisAligned::most_wave_speed : AxisAligned::least_wave_speed, 3) +
-               ": give it [m/s]");
+           "auto takes sqrt(E/rho0), which is " + scene.units.text(speed, "m/s", 3) + ", beyond " +
+               scene.units.text(speed > 1 ? AxisAligned::most_wave_speed : AxisAligned::least_wave_speed, "m/s", 3) +
+               ": give it");
   }
   box->amplitude.period = 1 / speed;
   box->given_speed = true;
@@ -105,20 +107,6 @@ void choose_forces(ProblemIn<Dim>& problem) {
   const bool pointwise = scene.motion->is_homogeneous() || by_rule;
   setup.evaluation = pointwise ? mpm::Evaluation::point : scene.force.evaluation;
   setup.inertia = scene.force.inertia;
-}
-
-/// Far from the origin the numbers themselves may lie further apart than particles can bear.
-std::string no_particle_sentence(const PosedScene& problem) {
-  const double spacing = problem.scene.grid->spacing;
-  double far = 0;
-  for (const auto& corner : {problem.scene.body.lower, problem.scene.body.upper}) {
-    for (std::size_t d = 0; d < corner.size(); ++d) far = std::max(far, std::abs(corner[d]));
-  }
-  const double apart = std::nextafter(far, 2 * far) - far;
-  std::string sentence = "leaves no particle in the body";
-  if (apart < 1e-6 * spacing) return sentence;
-  return sentence + ": " + rounded_text(far, 2) + " m from the origin, coordinates are rounded to " +
-         rounded_text(apart, 2) + " m; place the body nearer to it";
 }
 
 }  // namespace

@@ -71,19 +71,19 @@ ScreenFigures screen_of(const Scene& scene, const Material& material, double end
   return figures;
 }
 
-std::string instability_sentence(const ScreenFigures& screen, const std::string& material) {
+std::string instability_sentence(const ScreenFigures& screen, const std::string& material, const Units& units) {
   if (screen.verdict != "unstable") return {};
   return "this motion is not a stable solution for this model at this amplitude: " + material +
          " loses strong ellipticity at " + (screen.gamma ? "gamma = " + rounded_text(*screen.gamma, 3) + ", " : "") +
-         "t = " + rounded_text(*screen.t, 3) + " s, xi = " + rounded_text(*screen.xi, 3) +
+         "t = " + units.text(*screen.t, "s", 3) + ", xi = " + rounded_text(*screen.xi, 3) +
          safe_text(screen, screen.gamma ? "" : " of the path's") + " (motion.allow_unstable: true overrides)";
 }
 
 std::string refusal_sentence(const Scene& scene, const ScreenFigures& screen, const std::string& material) {
-  return scene.allow_unstable ? "" : instability_sentence(screen, material);
+  return scene.allow_unstable ? "" : instability_sentence(screen, material, scene.units);
 }
 
-std::string screen_sentence(const ScreenFigures& screen) {
+std::string screen_sentence(const ScreenFigures& screen, const Units& units) {
   if (screen.verdict == "neutral") return "neutral: nothing resists a shear wave, as in a fluid";
   const std::string smallest =
       "smallest acoustic eigenvalue " + rounded_text(*screen.smallest, 3) + " of the largest at rest";
@@ -93,13 +93,14 @@ std::string screen_sentence(const ScreenFigures& screen) {
            std::to_string(screen.unjudged) + " places of the path";
   }
   return "unstable from " + (screen.gamma ? "gamma = " + rounded_text(*screen.gamma, 3) + ", " : "") +
-         "t = " + rounded_text(*screen.t, 3) + " s: " + smallest + safe_text(screen, "");
+         "t = " + units.text(*screen.t, "s", 3) + ": " + smallest + safe_text(screen, "");
 }
 
 void warn_of_instability(const Scene& scene, const Material& material, double end, bool quiet) {
   if (scene.allow_unstable) return;
   try {
-    const std::string sentence = instability_sentence(screen_of(scene, material, end, quiet), material.name());
+    const std::string sentence =
+        instability_sentence(screen_of(scene, material, end, quiet), material.name(), scene.units);
     stop_if_interrupted();
     if (!sentence.empty()) warn(sentence);
   } catch (const MaterialFailure& failure) {

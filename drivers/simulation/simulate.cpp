@@ -172,7 +172,8 @@ class Run {
     if (!due_.shots.empty()) result_.passes.push_back({"snapshots", output_s_, 0});
     if (stepping > 0) result_.particle_steps_per_s = static_cast<double>(result_.particle_steps) / stepping;
     if (problem_.setup.traction) result_.growth = growth_of(result_.history);
-    if (result_.growth) result_.warnings.push_back(growth_sentence(*result_.growth, problem_.setup.traction->form));
+    if (result_.growth)
+      result_.warnings.push_back(growth_sentence(*result_.growth, problem_.setup.traction->form, problem_.scene.units));
     if (accounts_) result_.drift = accounts_->drift();
     result_.health = health_.figures();
     for (const std::string& sentence : health_.sentences()) result_.warnings.push_back(sentence);

@@ -206,7 +206,7 @@ void plan_steps(PosedScene& problem) {
   const Scene& scene = problem.scene;
   const auto fixed = scene.time.fixed_step();
   if (fixed && fixed->dt > scene.time.end)  // an end that the motion's speed gives is known by now
-    refuse(scene, fixed->key, "must not exceed time.end, " + rounded_text(scene.time.end, 6));
+    refuse(scene, fixed->key, "must not exceed time.end, " + scene.units.text(scene.time.end, "s", 6));
   const double steps = fixed ? std::ceil(scene.time.end / fixed->dt * (1 - whole_steps)) : steps_by_courant(problem);
   if (!(steps >= 1 && steps < most_steps)) {
     const std::string key = key_of_steps(problem), hint = units_hint(problem);
@@ -218,8 +218,8 @@ void plan_steps(PosedScene& problem) {
   if (!std::isfinite(problem.wave_speed + problem.particle_speed)) {  // a step that is given asks for neither
     const char* key = key_of_speed(problem);
     refuse(scene, key,
-           "is faster than numbers go: fastest wave on the path " + rounded_text(problem.wave_speed, 3) +
-               " m/s, fastest particle " + rounded_text(problem.particle_speed, 3) + " m/s");
+           "is faster than numbers go: fastest wave on the path " + scene.units.text(problem.wave_speed, "m/s", 3) +
+               ", fastest particle " + scene.units.text(problem.particle_speed, "m/s", 3));
   }
   problem.steps = static_cast<std::int64_t>(steps);
   problem.dt = fixed ? fixed->dt : scene.time.end / steps;

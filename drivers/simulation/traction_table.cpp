@@ -76,7 +76,7 @@ void run_variant(const Scene& scene, int threads, OutputFolder& folder, bool qui
     name_form(problem, run);
     const auto exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end, {.threads = threads});
     Snapshots nothing(problem, folder);
-    Progress progress(run.algorithm + ", " + rounded_text(run.spacing, 3) + " m", quiet);
+    Progress progress(run.algorithm + ", " + scene.units.text(run.spacing, "m", 3), quiet);
     simulate(problem, exact, nothing, progress, result);
   } catch (const InputError&) {
     result.outcome = "refused";

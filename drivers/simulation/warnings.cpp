@@ -30,7 +30,7 @@ std::string long_step_sentence(const PosedScene& problem) {
   const double courant = problem.dt * fastest_signal(problem) / problem.scene.grid->spacing;
   const auto fixed = problem.scene.time.fixed_step();
   if (!fixed || courant <= 1) return "";
-  return fixed->says + rounded_text(problem.dt, 3) + " s is " + rounded_text(courant, 3) +
+  return fixed->says + problem.scene.units.text(problem.dt, "s", 3) + " is " + rounded_text(courant, 3) +
          " times the time in which the fastest wave crosses a cell: the run is likely to become unstable";
 }
 
@@ -48,8 +48,8 @@ std::string stress_at_rest_sentence(const ProblemIn<Dim>& problem) {
   } catch (const std::runtime_error&) {  // the run itself will tell
   }
   if (!(stress > significant * problem.setup.density * problem.wave_speed * problem.wave_speed)) return "";
-  return "the material has a stress of " + rounded_text(stress, 3) +
-         " Pa at rest, which free faces cannot balance: the body will not follow the motion there";
+  return "the material has a stress of " + problem.scene.units.text(stress, "Pa", 3) +
+         " at rest, which free faces cannot balance: the body will not follow the motion there";
 }
 
 /// The largest of |F''| behind a row less that before it [1/s^2].
@@ -78,18 +78,21 @@ std::string jump_sentence(const PosedScene& problem) {
   for (const Tensor& F : table->rows()) largest = std::max(largest, (F - Tensor::Identity()).norm());
   const double share = 0.5 * problem.dt * jump * end / largest;
   if (!(share > noticeable)) return "";
-  return "the body force jumps at the rows of motion.path, by up to " + rounded_text(jump, 3) +
-         " /s^2 in F'': steps of " + rounded_text(problem.dt, 3) + " s may turn that into an error of " +
-         rounded_text(100 * share, 2) + " % of the motion; take " +
-         (fixed ? fixed->shorter : "a smaller method.courant") + ", or motion.interpolation: spline";
+  const Units& units = problem.scene.units;
+  return "the body force jumps at the rows of motion.path, by up to " +
+         rounded_text(units.scale("1/s^2").from_si(jump), 3) + " /" + units.time + "^2 in F'': steps of " +
+         units.text(problem.dt, "s", 3) + " may turn that into an error of " + rounded_text(100 * share, 2) +
+         " % of the motion; take " + (fixed ? fixed->shorter : "a smaller method.courant") +
+         ", or motion.interpolation: spline";
 }
 
 std::string late_snapshots_sentence(const PosedScene& problem) {
   const auto& from = problem.scene.output.each_step_from;
   const double end = problem.scene.time.end;
   if (!from || *from <= end) return "";
-  return "output.each_step_from = " + rounded_text(*from, 6) + " s lies beyond time.end = " + rounded_text(end, 6) +
-         " s: no step is written for it";
+  const Units& units = problem.scene.units;
+  return "output.each_step_from = " + units.text(*from, "s", 6) + " lies beyond time.end = " + units.text(end, "s", 6) +
+         ": no step is written for it";
 }
 
 /// A density in t/mm^3 beside a stiffness in Pa: no solid has such waves, in m/s or in mm/s.
@@ -97,8 +100,9 @@ std::string density_sentence(const PosedScene& problem) {
   constexpr double least = 1e-10, most = 1e-7, kg_per_m3 = 1e12, fastest = 1e8;
   const double density = problem.scene.material.density;
   if (!(density >= least && density <= most) || !(problem.wave_speed > fastest)) return "";
-  return "material.density = " + rounded_text(density, 6) + " and the stiffness make waves of " +
-         rounded_text(problem.wave_speed, 3) + " m/s, which no solid has; in t/mm^3 the density would be " +
+  const Units& units = problem.scene.units;
+  return "material.density = " + units.text(density, "kg/m^3", 6) + " and the stiffness make waves of " +
+         units.text(problem.wave_speed, "m/s", 3) + ", which no solid has; in t/mm^3 the density would be " +
          rounded_text(density * kg_per_m3, 6) +
          " kg/m^3: units are SI, or those of one system, such as t, mm, s and MPa, throughout";
 }
@@ -275,9 +279,9 @@ std::optional<RimFigures> rim_of(const Response& response, const Vortex& vortex,
   return rim;
 }
 
-std::string narrow_rim_sentence(const RimFigures& rim) {
+std::string narrow_rim_sentence(const RimFigures& rim, const Units& units) {
   if (rim.cells >= fewest_rim_cells) return {};
-  return "the plastic rim is " + rounded_text(rim.width, 3) + " m wide, " + rounded_text(rim.cells, 2) +
+  return "the plastic rim is " + units.text(rim.width, "m", 3) + " wide, " + rounded_text(rim.cells, 2) +
          " cells: the grid does not resolve less than 2 cells; take a smaller grid.spacing";
 }
 

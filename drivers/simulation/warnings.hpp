@@ -70,13 +70,13 @@ std::array<double, Dim> sides_of_body(const ProblemIn<Dim>& problem);
 ScreenFigures screen_of(const Scene& scene, const Material& material, double end, bool quiet);
 
 /// Why the motion is no stable solution, one sentence; empty where it is one.
-std::string instability_sentence(const ScreenFigures& screen, const std::string& material);
+std::string instability_sentence(const ScreenFigures& screen, const std::string& material, const Units& units);
 
 /// The same where the scene does not allow it: why a run is refused.
 std::string refusal_sentence(const Scene& scene, const ScreenFigures& screen, const std::string& material);
 
 /// "stable, ...", for explain and for people, one line without its end.
-std::string screen_sentence(const ScreenFigures& screen);
+std::string screen_sentence(const ScreenFigures& screen, const Units& units);
 
 /// One line on standard error where the motion is unstable and the scene does not allow that. Never stops a verb: a
 /// material that fails on the way is found by what follows. Throws Interrupted when a signal came.
@@ -95,7 +95,11 @@ std::vector<Interval> zones_beyond(const Vortex& vortex, std::span<const double>
 /// without kinks, and where no zone has left the first regime.
 std::optional<RimFigures> rim_of(const Response& response, const Vortex& vortex, double h, double end);
 
-/// "the plastic rim is .. m wide, .. cells: .."; empty where it has fewest_rim_cells or more.
-std::string narrow_rim_sentence(const RimFigures& rim);
+/// "the plastic rim is .. wide, .. cells: .."; empty where it has fewest_rim_cells or more.
+std::string narrow_rim_sentence(const RimFigures& rim, const Units& units);
+
+/// What is wrong with a body without particles: far from the origin the numbers themselves may lie further apart than
+/// particles can bear.
+std::string no_particle_sentence(const PosedScene& problem);
 
 }  // namespace assay::drivers

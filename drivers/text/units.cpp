@@ -60,6 +60,7 @@ constexpr UnitSymbol symbols[] = {
     {"-", {}, {}},
     {"%", {}, {1, 1e2}},
     {"rad", {}, {}},
+    {"deg", {.degrees = 1}, {}},
 };
 
 const UnitSymbol* symbol_of(std::string_view word) {
@@ -121,11 +122,12 @@ std::string product_text(const std::vector<std::pair<std::string, double>>& fact
 }  // namespace
 
 Dimension operator*(const Dimension& a, const Dimension& b) {
-  return {a.stress + b.stress, a.length + b.length, a.time + b.time, a.temperature + b.temperature};
+  return {a.stress + b.stress, a.length + b.length, a.time + b.time, a.temperature + b.temperature,
+          a.degrees + b.degrees};
 }
 
 Dimension Dimension::power(double exponent) const {
-  return {stress * exponent, length * exponent, time * exponent, temperature * exponent};
+  return {stress * exponent, length * exponent, time * exponent, temperature * exponent, degrees * exponent};
 }
 
 std::optional<Unit> parse_unit(std::string_view text) {
@@ -177,8 +179,11 @@ std::string Units::name(const Dimension& dimension) const {
         return product_text({{each.word, 1}, {length, -3}});
     }
   }
-  return product_text(
-      {{stress, dimension.stress}, {length, dimension.length}, {time, dimension.time}, {"K", dimension.temperature}});
+  return product_text({{stress, dimension.stress},
+                       {length, dimension.length},
+                       {time, dimension.time},
+                       {"K", dimension.temperature},
+                       {"deg", dimension.degrees}});
 }
 
 std::string Units::name(std::string_view si_unit) const {

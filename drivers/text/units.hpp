@@ -9,9 +9,10 @@
 
 namespace assay::drivers {
 
-/// Exponents of stress, length, time and temperature. A mass is a stress times length times time squared.
+/// Exponents of stress, length, time, temperature, and degrees of an angle, which stay what they are. A mass is a
+/// stress times length times time squared.
 struct Dimension {
-  double stress = 0, length = 0, time = 0, temperature = 0;
+  double stress = 0, length = 0, time = 0, temperature = 0, degrees = 0;
 
   bool is_number() const { return *this == Dimension(); }
   friend bool operator==(const Dimension&, const Dimension&) = default;
@@ -36,7 +37,7 @@ struct Unit {
 };
 
 /// Products and quotients of units with powers: "Pa", "kg/m^3", "N/mm2", "Pa s", "1/min", "%". Nothing where a word is
-/// no unit. rad and degrees of an angle are numbers; a temperature is one difference of it, without the zero of degC.
+/// no unit. rad is a number, deg is none; a temperature is one difference of it, without the zero of degC.
 std::optional<Unit> parse_unit(std::string_view text);
 
 /// The units in which an author may write what has the dimension of "Pa", "s" or "m".

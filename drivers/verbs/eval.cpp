@@ -158,8 +158,8 @@ void evaluate_points(const EvalOptions& options, double& end) {
   refuse_input_as_output(options.out, "-o");
   require_table_name(options.format, options.out);
   if (end > scene.time.end * (1 + rounding))
-    warn("the last time, " + rounded_text(end, 6) + " s, is after time.end of the scene, " +
-         rounded_text(scene.time.end, 6) + " s");
+    warn("the last time, " + scene.units.text(end, "s", 6) + ", is after time.end of the scene, " +
+         scene.units.text(scene.time.end, "s", 6));
   const std::vector<PointColumn> columns = shape.wanted.columns;
   const RowNeeds needs(columns, given.boxes);
   const bool quiet = options.quiet();

@@ -41,6 +41,7 @@ int explain_in(const ExplainOptions& options, const Scene& scene) {
     return 0;
   } catch (const MaterialFailure& failure) {
     Result result;
+    result.units = scene.units;
     record_failure(failure, result);
     const std::string advice = result.advice.empty() ? "" : "; to try: " + result.advice;
     std::fprintf(stderr, "%s\n", one_line(result.reason + advice).c_str());

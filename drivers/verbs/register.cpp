@@ -81,9 +81,11 @@ std::vector<std::string> names_without_value(const MaterialSource& source) {
   return names;
 }
 
-/// "3 state variables of 8 numbers", as its author counts them: those of the bridge are none.
+/// "3 state variables of 8 numbers", as its author counts them: those of the bridge and fields are none.
 std::string own_state_words(const MaterialSource& source, const adapters::ForeignModel& model) {
-  const auto own = state_of(*source.table).subspan(adapters::bridge_variables(model));
+  const std::span all = state_of(*source.table);
+  const std::size_t before = adapters::bridge_state(model).size();
+  const auto own = all.subspan(before, all.size() - before - model.varying.size());
   std::size_t size = 0;
   for (const assay_state_variable& v : own) size += static_cast<std::size_t>(components_of_kind(v.kind));
   const std::string words = std::to_string(own.size()) + " state variables";

@@ -31,7 +31,8 @@ void record_rim(const PosedScene& problem, const Response& response, Result& res
   const auto* vortex = problem.scene.motion.as<Vortex>();
   if (!vortex) return;
   result.rim = rim_of(response, *vortex, problem.scene.grid->spacing, problem.scene.time.end);
-  if (const std::string words = result.rim ? narrow_rim_sentence(*result.rim) : ""; !words.empty()) warn(words);
+  if (const std::string words = result.rim ? narrow_rim_sentence(*result.rim, problem.scene.units) : ""; !words.empty())
+    warn(words);
 }
 
 void record_response(const PosedScene& problem, const Response& response, double seconds, Result& result) {
@@ -76,7 +77,7 @@ bool admitted(const PosedScene& problem, bool quiet, Result& result) {
   const Scene& scene = problem.scene;
   if (!problem.compared) return true;  // then the body does not move as the motion says
   result.screen = screen_of(scene, *problem.material, scene.time.end, quiet);
-  if (result.screen->unjudged > 0) warn(screen_sentence(*result.screen));
+  if (result.screen->unjudged > 0) warn(screen_sentence(*result.screen, scene.units));
   const std::string sentence = refusal_sentence(scene, *result.screen, problem.material->name());
   if (sentence.empty()) return true;
   result.outcome = "refused";

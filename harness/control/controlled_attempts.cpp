@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 #include "harness/control/controlled_march.hpp"
+#include "harness/material/state_variable.hpp"
 
 namespace assay {
 
@@ -68,16 +68,19 @@ void ControlledMarch::widen_scales(const ControlledPoint& point) {
   const Tensor rest = deformation_at_rest(control_.deformation);
   for (int c = 0; c < 9; ++c) moved[static_cast<std::size_t>(c)] -= component(rest, c);
   constexpr double least_strain = 1e-9, least_stress = 1e-6;  // the latter of the modulus and the strain
+  constexpr double rounding_of_F = 1e-15;
   share(9, least_strain, moved);
   const double strain = scales_[0];
-  share(9, least_stress * steps_.modulus() * strain, y);
-  share(1, least_stress * steps_.modulus() * strain * strain, y);
+  // Below these strains a stress, and what the state has of it, is what F rounds to: no tolerance can be met there.
+  const double least = std::max(least_stress * strain, rounding_of_F / options_.tolerance);
+  share(9, least * steps_.modulus(), y);
+  share(1, least * steps_.modulus() * strain, y);
   if (control_.deformation == Deformation::velocity_gradient) share(9, 1, y);
-  for (std::uint32_t v = 0; v < material_.table().state_count; ++v) {
-    const assay_state_variable& variable = material_.table().state[v];
-    const bool is_stress = variable.unit && std::string_view(variable.unit) == "Pa";
-    share(static_cast<std::size_t>(components_of_kind(variable.kind)),
-          is_stress ? least_stress * steps_.modulus() * strain : least_strain * strain, y);
+  auto modulus = steps_.state_moduli().begin();
+  for (const StatePlace& place : state_of(material_.table())) {
+    const double largest = *std::max_element(modulus, modulus + static_cast<std::ptrdiff_t>(place.size));
+    modulus += static_cast<std::ptrdiff_t>(place.size);
+    share(place.size, std::max(least * largest, least_strain * strain), y);
   }
   const double stress = steps_.modulus() / scales_[9];
   noise_ = std::min(most_noise, std::max({1.0, 1 / strain, stress}) / rest_condition_);
@@ -159,7 +162,8 @@ ControlledMarch::Attempt ControlledMarch::attempt(const Piece& piece, const Cont
     }
     const double allowed = options_.tolerance + rounding_of_results * noise_ * extrapolation_.rounding();
     if (error <= allowed && last_error <= lucky * allowed) {
-      made.outcome = Attempt::Outcome::accepted;
+      made.outcome =
+          turns_within(piece, made.end, at + step) ? Attempt::Outcome::regime_changes : Attempt::Outcome::accepted;
       return made;
     }
     if (count > least_columns && error > slow_convergence * last_error) break;
@@ -167,7 +171,11 @@ ControlledMarch::Attempt ControlledMarch::attempt(const Piece& piece, const Cont
   }
   const double worst = *std::max_element(failed_errors_.begin(), failed_errors_.end());
   made.noisy = failed_errors_.back() > 0 && made.error < growing_noise && made.error > no_better * worst;
-  if (made.noisy) made.outcome = Attempt::Outcome::accepted;  // shorter steps have not helped
+  if (made.noisy && turns_within(piece, made.end, at + step)) {
+    made.outcome = Attempt::Outcome::regime_changes;
+  } else if (made.noisy) {
+    made.outcome = Attempt::Outcome::accepted;  // shorter steps have not helped
+  }
   return made;
 }
 

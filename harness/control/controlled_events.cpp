@@ -15,13 +15,15 @@ constexpr double undetermined = 1e-9;  ///< of a matrix at rest: smallest over l
 constexpr double singular = 1e-3;      ///< of a matrix, against that at rest
 constexpr double sure = 1e-4;          ///< of the determinant at rest: one whose sign is no rounding
 constexpr std::size_t most_branches = 20;
-constexpr double rest_step = 1e-6;                 ///< of the end [1]
-constexpr double along = 1e-5, difference = 2e-7;  ///< of F: a step along the path, and differences small against it
-constexpr double neutral = 1e-8;                   ///< of the largest acoustic eigenvalue at rest: a fluid
-constexpr double slowest = 1e-3;                   ///< of the end: the longest time of such a step
-constexpr int most_trials = 80;                    ///< for a crossing
-constexpr double resolution = 1e-12;               ///< of a piece, of a time that is looked for
-constexpr double sure_fall = 1e-9;                 ///< behind a peak, of the largest value
+constexpr double rest_step = 1e-6;           ///< of the end [1]
+constexpr double difference = 1e-8;          ///< of F
+constexpr double of_least_difference = 100;  ///< of what the material answers: smaller ones are too rough
+constexpr double along = 20;                 ///< in differences: a step along the path on which they all stay
+constexpr double neutral = 1e-8;             ///< of the largest acoustic eigenvalue at rest: a fluid
+constexpr double slowest = 1e-3;             ///< of the end: the longest time of such a step
+constexpr int most_trials = 80;              ///< for a crossing
+constexpr double resolution = 1e-12;         ///< of a piece, of a time that is looked for
+constexpr double sure_fall = 1e-9;           ///< behind a peak, of the largest value
 constexpr double golden = 0.381966011250105;
 
 }  // namespace
@@ -64,20 +66,41 @@ void ControlledMarch::look_at_matrix(const Piece& piece, const ControlledPoint& 
   const ControlMatrix matrix = steps_.matrix_at(before, piece.width * step, first_);
   if (!(std::abs(matrix.determinant) > sure * rest_determinant_)) return;
   if (determinant_ * matrix.determinant < 0 && history_.branches.size() < most_branches) {
-    history_.branches.push_back({now_.t, matrix.direction});
+    const double sign = determinant_ > 0 ? 1 : -1, begin = determinant_;
+    const auto about = [&](const ControlledPoint& point) {
+      return steps_.matrix_at(before, std::max(point.t - before.t, std::numeric_limits<double>::min()), point);
+    };
+    // Close to the zero the matrix is singular and no step ends there: the time lies between those that are found.
+    std::pair<double, double> last{before.t, begin}, next{now_.t, matrix.determinant};
+    const auto past = [&](const ControlledPoint& point) {
+      if (point.t <= before.t) return -sign * begin;
+      const double found = about(point).determinant;
+      if (sign * found > 0 && point.t > last.first) last = {point.t, found};
+      if (sign * found <= 0 && point.t < next.first) next = {point.t, found};
+      return -sign * found;
+    };
+    if (!piece.jump) at_crossing(piece, before, at_, step, past);
+    const double share = last.second / (last.second - next.second);
+    history_.branches.push_back({last.first + share * (next.first - last.first), matrix.direction});
   }
   determinant_ = matrix.determinant;
 }
 
-/// Of the instantaneous modulus along the way on which the point came.
+/// Of the instantaneous modulus along the way on which the point came: from steps along it of two lengths, to none.
 AcousticExtreme ControlledMarch::acoustic_at(const ControlledPoint& before, const ControlledPoint& point) const {
   const Tensor way = point.F - before.F;
   const double length = way.norm(), time = point.t - before.t;
   if (!(length > 0)) return {acoustic_at_rest_ * acoustic_, history_.normal};
-  const double dt = std::min(slowest * control_.length(), time * along / length);
-  const Tensor F1 = point.F + along / length * way;
-  return smallest_acoustic_eigenvalue(
-      probe_tangent_modulus(material_, point.t, std::max(dt, 1e-300), point.F, F1, point.state, difference));
+  const double size = std::max(difference, of_least_difference * steps_.least_difference());
+  const auto behind = [&](double strain) {
+    const double dt = std::min(slowest * control_.length(), time * strain / length);
+    const Tensor F1 = point.F + strain / length * way;
+    return smallest_acoustic_eigenvalue(
+        probe_tangent_modulus(material_, point.t, std::max(dt, 1e-300), point.F, F1, point.state, size));
+  };
+  AcousticExtreme found = behind(along * size);
+  found.value = 2 * found.value - behind(2 * along * size).value;
+  return found;
 }
 
 void ControlledMarch::look_at_ellipticity(const Piece& piece, const ControlledPoint& before, double step) {
@@ -204,10 +227,11 @@ void ControlledMarch::end_stuck(const Piece& piece, double step) {
     history_.reason = refused_->what();
     return;
   }
-  const bool limit = at_limit(piece, step);
+  const bool folds = steps_.folds(), limit = at_limit(piece, step);
   history_.outcome = limit ? ControlOutcome::limit_load : ControlOutcome::no_solution;
-  history_.reason = limit ? "no deformation near by has the stress that is asked for"
-                          : "Newton's method finds no deformation that has the stress that is asked for";
+  history_.reason = limit   ? "no deformation near by has the stress that is asked for"
+                    : folds ? "no deformation with det F > 0 meets the rows"
+                            : "Newton's method finds no deformation that has the stress that is asked for";
 }
 
 void ControlledMarch::write_row(const ControlledPoint& point) {

@@ -19,7 +19,6 @@ constexpr std::size_t most_coarse_steps = 20'000;  ///< over all pieces
 constexpr int coarse_steps = 64;                   ///< of a piece, by which the scales are found
 constexpr double coarse_shortest = 1e-4;           ///< of a piece
 constexpr double noisy_growth = 20;                ///< of a step that was taken although it is noisy
-constexpr double crossing_share = 1e-8;            ///< of a piece: a step over a change of regime
 constexpr int most_jumps = 100;                    ///< beyond, the material is no function of its arguments
 
 double growth(int columns) { return columns <= 3 ? 3 : columns == 4 ? 2 : columns == 5 ? 1.3 : 0.8; }
@@ -103,6 +102,9 @@ void ControlledMarch::advance(const Piece& piece, double to) {
     }
     const double left = to - at_;
     double step = step_ >= 0.999 * left ? left : std::min(step_, 0.5 * left);
+    // Behind the end of a piece nothing tells of it: the last step is too short for a change to matter.
+    if (to == 1 && step == left && regime_.known && telling_ == Tells::state && left > 4 * telling_share)
+      step = left - 2 * telling_share;
     if (by_increments(piece)) step = left / std::max(1.0, std::ceil(left / step_ - 1e-6));
     if (regime_.bound > at_) {
       const double room = regime_.bound - at_;

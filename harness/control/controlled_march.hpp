@@ -12,6 +12,9 @@
 
 namespace assay {
 
+inline constexpr double crossing_share = 1e-8;  ///< of a piece: a step over a change of regime
+inline constexpr double telling_share = 1e-6;   ///< of a piece: a short step, from which a regime is read
+
 /// Steps of 1, 2, 3 ... sub-steps, extrapolated; their length follows the estimated error. A change of the material's
 /// regime (RegimeReader) is enclosed by halving, and stepped over. Where nothing tells the regime, the length of the
 /// steps falls at a kink to what the tolerance asks for, and grows again.
@@ -59,6 +62,8 @@ class ControlledMarch {
   void begin_regime(const Piece& piece);
   std::optional<std::uint64_t> regime_between(const ControlledPoint& before, const ControlledPoint& end) const;
   bool keeps_regime(const ControlledPoint& before, const ControlledPoint& end);
+  std::optional<std::uint64_t> regime_ahead(const Piece& piece, const ControlledPoint& from, double at, double share);
+  bool turns_within(const Piece& piece, const ControlledPoint& end, double at);
   void note_signs(const Piece& piece);
   void cross(const Piece& piece, double step);
   void widen_scales(const ControlledPoint& point);

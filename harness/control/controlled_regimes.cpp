@@ -10,7 +10,6 @@ namespace assay {
 
 namespace {
 
-constexpr double telling_share = 1e-6;   ///< of a piece: a short step
 constexpr double after_crossing = 1e-3;  ///< of a piece: the step to try behind one
 constexpr double no_work = 1e-6;         ///< of stress and strain: work whose sign says nothing
 constexpr int most_crossings = 200;      ///< in a piece: beyond, the regime is not asked
@@ -44,6 +43,33 @@ bool ControlledMarch::keeps_regime(const ControlledPoint& before, const Controll
   return regime_between(before, end).value_or(regime_.value) == regime_.value;
 }
 
+/// The regime of a step behind that point, over so short a share of the piece. Nothing where the piece ends before. A
+/// step before it takes up what the state of the point errs by, which would look like loading.
+std::optional<std::uint64_t> ControlledMarch::regime_ahead(const Piece& piece, const ControlledPoint& from, double at,
+                                                           double share) {
+  if (!(at + 2 * share <= 1)) return std::nullopt;
+  const auto next = [&](const ControlledPoint& point, int count) -> std::optional<ControlledPoint> {
+    SolvedStep probe =
+        steps_.solve(point, piece.width * share, values(piece, at + count * share), point.q + share * rate_);
+    const bool solved = probe.outcome == SolvedStep::Outcome::solved || probe.outcome == SolvedStep::Outcome::shorter;
+    return solved ? std::optional(std::move(probe.end)) : std::nullopt;
+  };
+  const auto first = next(from, 1), second = first ? next(*first, 2) : std::nullopt;
+  return second ? regime_between(*first, *second) : std::nullopt;
+}
+
+/// Whether the regime has changed before the end of a step in which each sub-step shows the same one: the last of them
+/// may begin with a yielding that ends within it, and however many they are, they all err by the same. What lies behind
+/// the end tells.
+bool ControlledMarch::turns_within(const Piece& piece, const ControlledPoint& end, double at) {
+  if (!regime_.known || telling_ != Tells::state) return false;
+  for (const double share : {crossing_share, telling_share}) {
+    const auto ahead = regime_ahead(piece, end, at, share);
+    if (!ahead || *ahead == regime_.value) return false;
+  }
+  return true;
+}
+
 /// Over a change of regime, by one sub-step: the error is of second order in a step that is this short.
 void ControlledMarch::cross(const Piece& piece, double step) {
   Attempt made;
@@ -55,7 +81,10 @@ void ControlledMarch::cross(const Piece& piece, double step) {
     made.outcome = Attempt::Outcome::failed;
     return step < shortest_share ? end_stuck(piece, step) : shorten(piece, step, made);
   }
-  regime_.value = regime_between(now_, *end).value_or(telling_ == Tells::work ? 1 - before.value : before.value);
+  std::optional<std::uint64_t> value;
+  if (telling_ == Tells::state) value = regime_ahead(piece, *end, at_ + step, telling_share);
+  if (!value) value = regime_between(now_, *end);
+  regime_.value = value.value_or(telling_ == Tells::work ? 1 - before.value : before.value);
   regime_.bound = 0;
   if (++regime_.crossings > most_crossings) regime_.known = false;
   first_ = *end;

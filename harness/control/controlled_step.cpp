@@ -6,89 +6,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/numeric/norms.hpp"
-
 namespace assay {
 
 namespace {
 
 constexpr int most_iterations = 40;
-constexpr double exact = 3e-17;          ///< a residual in strains that cannot become smaller
-constexpr double rounding_of_F = 2e-15;  ///< one that stands still below this is rounding of F
-constexpr double least_rounding = 1e-12, largest_rounding = 1e-6;  ///< of a material, in strains
-constexpr double rounding_margin = 10;                             ///< of what second differences show
-constexpr double probe = 1e-6;                                     ///< of q, at rest
-constexpr double good_progress = 0.1;  ///< of a residual by one iteration: the matrix is kept
-constexpr double standstill = 0.5;     ///< of a residual: no progress
-constexpr int most_halvings = 12;      ///< of an iteration that would make the residual larger
-constexpr double sufficient = 1e-4;    ///< share of the decrease that a linear function would have
-constexpr double largest_difference = 1e-7, usual_least_difference = 1e-11;  ///< of q
-constexpr double deaf = 0.5;               ///< of the stiffness at rest: an increment that a model answers with less
-constexpr double heard_again = 100;        ///< times such an increment: one that it answers
-constexpr double difference_share = 1e-2;  ///< of the change of q over the step
-constexpr double longest_iteration = 0.3;  ///< largest change of q by one iteration
+constexpr double exact = 3e-17;              ///< a residual in strains that cannot become smaller
+constexpr double rounding_of_F = 2e-15;      ///< one that stands still below this is rounding of F
+constexpr double good_progress = 0.1;        ///< of a residual by one iteration: the matrix is kept
+constexpr double standstill = 0.5;           ///< of a residual: no progress
+constexpr int most_halvings = 12;            ///< of an iteration that would make the residual larger
+constexpr double sufficient = 1e-4;          ///< share of the decrease that a linear function would have
+constexpr double largest_difference = 1e-7;  ///< of q
+constexpr double difference_share = 1e-2;    ///< of the change of q over the step
+constexpr double longest_iteration = 0.3;    ///< largest change of q by one iteration
 
 }  // namespace
-
-ControlledSteps::ControlledSteps(const Material& material, const Control& control)
-    : material_(material), control_(control), free_(control), least_difference_(usual_least_difference) {
-  for (std::size_t k = 0; k < control.rows.size(); ++k) {
-    if (!control.rows[k].is_linear_in_q()) solved_rows_.push_back(k);
-  }
-  if (static_cast<int>(solved_rows_.size()) != free_.count()) {
-    throw ControlError("there are " + std::to_string(control.rows.size()) + " rows for " +
-                           std::to_string(control.unknowns()) + " components of the deformation",
-                       -1);
-  }
-  const ControlledPoint rest = at_rest();
-  const double dt = 1e-6 * control.length();
-  double largest = 0, roughest = 0;
-  for (int c = 0; c < 9; ++c) {
-    if (!material.takes(c)) continue;
-    const auto moved = [&](double by) {
-      Tensor q = rest.q;
-      component(q, c) += by;
-      if (control.deformation == Deformation::logarithmic_strain) q = Tensor(0.5 * (q + q.transpose()));
-      const auto found = end(rest, dt, q);
-      if (!found) throw *failure_;
-      return found->s;
-    };
-    const Tensor once = moved(probe), twice = moved(2 * probe);
-    largest = std::max(largest, largest_of(once - rest.s) / probe);
-    roughest = std::max(roughest, largest_of(twice - 2 * once + rest.s));
-  }
-  if (largest > 0) modulus_ = largest;
-  rounding_ = std::clamp(rounding_margin * roughest / modulus_, least_rounding, largest_rounding);
-  find_grain(rest, dt);
-}
-
-/// A model that solves equations of its own to a tolerance answers no smaller increment.
-void ControlledSteps::find_grain(const ControlledPoint& rest, double dt) {
-  Tensor along = Tensor::Zero();
-  along(0, 0) = 1;
-  const auto stiffness = [&](double by) {
-    const auto found = end(rest, dt, rest.q + by * along);
-    return found ? largest_of(found->s - rest.s) / by : 0;
-  };
-  const double usual = stiffness(probe);
-  double grain = 0;
-  for (double by = usual_least_difference; by < 0.5 * probe && stiffness(by) < deaf * usual; by *= 10) grain = by;
-  if (grain == 0) return;
-  least_difference_ = heard_again * grain;
-  rounding_ = std::clamp(grain, rounding_, largest_rounding);
-}
-
-ControlledPoint point_at_rest(const Material& material, const Control& control) {
-  if (control.start) return *control.start;
-  ControlledPoint rest;
-  rest.t = control.begin();
-  rest.q = deformation_at_rest(control.deformation);
-  rest.s = control.initial_cauchy;
-  const bool stressed = !control.initial_cauchy.isZero(0);
-  const auto nine = nine_of(control.initial_cauchy);
-  rest.state = material.initial_state(1, stressed ? std::span<const double>(nine) : std::span<const double>());
-  return rest;
-}
 
 /// Ends of steps to some q, by one call of the material.
 std::optional<ControlledSteps::Tried> ControlledSteps::ends(const ControlledPoint& begin, double dt,
@@ -96,10 +29,12 @@ std::optional<ControlledSteps::Tried> ControlledSteps::ends(const ControlledPoin
   const std::size_t n = q.size(), states = begin.state.size();
   std::vector<double> F0(9 * n), F1(9 * n), state0(states * n), state1(states * n), cauchy(9 * n);
   std::vector<Tensor> F(n);
+  folds_ = false;
   for (std::size_t p = 0; p < n; ++p) {
     F[p] = gradient_of(control_.deformation, begin.F, begin.q, q[p]);
     if (!F[p].allFinite() || !(F[p].determinant() > 0)) {
       failure_.reset();
+      folds_ = true;
       return std::nullopt;
     }
     put_tensor(begin.F, F0.data(), n, p);
@@ -112,7 +47,7 @@ std::optional<ControlledSteps::Tried> ControlledSteps::ends(const ControlledPoin
   dt_factor_ = report.dt_factor;
   if (report.worst == ASSAY_FAILED) {
     failure_.emplace(report.message, 1.0, begin.t + dt,
-                     failed_step(begin.t, dt, n, report.worst_point, F0.data(), F1.data(), state0.data(), states));
+                     failed_step(material_, begin.t, dt, n, report.worst_point, F0.data(), F1.data(), state0.data()));
     failure_->not_finite = report.not_finite;
     failure_->final = report.dt_factor == 0;
     return std::nullopt;

@@ -36,7 +36,8 @@ struct ControlMatrix {
   Tensor direction = Tensor::Zero();  ///< of q, in which the rows change least
   double determinant = 1;
 
-  double condition() const { return smallest / largest; }
+  /// Of one number, that itself: nothing else tells whether it is none.
+  double condition() const { return matrix.size() == 1 ? smallest : smallest / largest; }
 };
 
 /// The point at rest under the initial stress, or where the control begins. Throws CannotBegin.
@@ -60,8 +61,13 @@ class ControlledSteps {
   ControlMatrix matrix_at(const ControlledPoint& begin, double dt, const ControlledPoint& end);
 
   double modulus() const { return modulus_; }  ///< by which rows of stress are divided [Pa]
+  /// Change of each component of the state with strain, at rest.
+  const std::vector<double>& state_moduli() const { return state_moduli_; }
   std::int64_t calls() const { return calls_; }
+  double least_difference() const { return least_difference_; }  ///< of q, that the material answers
   int count() const { return free_.count(); }
+  /// Whether its last call would have turned the body inside out: det F <= 0.
+  bool folds() const { return folds_; }
   /// Why the material refused its last step; none where it did not.
   const std::optional<MaterialFailure>& failure() const { return failure_; }
   /// Residual of each row at a point, in strains.
@@ -86,10 +92,12 @@ class ControlledSteps {
   FreeDeformation free_;
   std::vector<std::size_t> solved_rows_;  ///< rows that Newton's method meets: of stress, and of J
   double modulus_ = 1;
+  std::vector<double> state_moduli_;
   double least_difference_;  ///< of q, that the material answers
   double rounding_ = 0;      ///< of the material, in strains: a residual that stands still below it is solved
   double dt_factor_ = 1;     ///< of the last call
   std::int64_t calls_ = 0;
+  bool folds_ = false;
   std::optional<MaterialFailure> failure_;
   Eigen::MatrixXd matrix_;  ///< kept from step to step
   bool has_matrix_ = false;

@@ -46,7 +46,7 @@ void fields(auto& archive, Branch& branch) { archive(branch.begin, branch.regime
 void fields(auto& archive, HistoryTrail& trail) {
   archive(trail.width, trail.rows, trail.branches, trail.flickers, trail.error, trail.calls);
 }
-void fields(auto& archive, FailedStep& step) { archive(step.t, step.dt, step.F0, step.F1, step.state0); }
+void fields(auto& archive, FailedStep& step) { archive(step.t, step.dt, step.F0, step.F1, step.state0, step.fields1); }
 void fields(auto& archive, FailurePlace& place) {
   archive(place.xi, place.t, place.step, place.not_finite, place.final, place.too_accurate);
 }

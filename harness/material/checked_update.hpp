@@ -13,7 +13,7 @@ inline void checked_update(const Material& material, double xi, double t, double
   const UpdateReport report = material.update(t, dt, n, F0, F1, state0, state1, cauchy);
   if (report.worst != ASSAY_FAILED) return;
   MaterialFailure failure(report.message, xi, t + dt,
-                          failed_step(t, dt, n, report.worst_point, F0, F1, state0, material.state_size()));
+                          failed_step(material, t, dt, n, report.worst_point, F0, F1, state0));
   failure.not_finite = report.not_finite;
   failure.final = report.dt_factor == 0;
   throw failure;

@@ -186,6 +186,12 @@ std::vector<std::string> Material::fields() const {
   return names;
 }
 
+std::vector<double> Material::field_values(double t, std::span<const double> state0) const {
+  std::vector<double> values;
+  for (const Field& field : fields_) values.push_back(field.value ? field.value(t) : state0[field.component]);
+  return values;
+}
+
 double Material::parameter(const std::string& name) const {
   for (std::uint32_t i = 0; i < table_->parameter_count; ++i) {
     if (name == table_->parameters[i].name) return parameters_[i];

@@ -118,9 +118,13 @@ class Material {
   std::vector<double> initial_state(std::size_t n, std::span<const double> cauchy = {},
                                     std::span<const double> direction = {}) const;
 
-  /// The ABI's update, at the material's pace, with the fields at t + dt; n <= ASSAY_BATCH_MAX, pointers as there.
+  /// Fields at t of a point with that state before, in declared order.
+  std::vector<double> field_values(double t, std::span<const double> state0) const;
+
+  /// The ABI's update, at the material's pace, with the fields at t + dt, or with those given; n <= ASSAY_BATCH_MAX,
+  /// pointers as there.
   UpdateReport update(double t, double dt, std::size_t n, const double* F0, const double* F1, const double* state0,
-                      double* state1, double* cauchy) const;
+                      double* state1, double* cauchy, std::span<const double> fields1 = {}) const;
 
   /// An extension's table, null where the material has none (or one that is too short).
   template <class Extension>

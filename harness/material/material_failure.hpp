@@ -18,10 +18,11 @@ namespace assay {
 
 /// Arguments of `update` for one point: a pure call, so that the same arguments fail again.
 struct FailedStep {
-  double t = 0, dt = 0;             ///< beginning and length [s]
-  Tensor F0 = Tensor::Identity();   ///< deformation gradient at t [1]
-  Tensor F1 = Tensor::Identity();   ///< at t + dt [1]
-  std::vector<double> state0 = {};  ///< every component of the point's state at t, in declared order
+  double t = 0, dt = 0;              ///< beginning and length [s]
+  Tensor F0 = Tensor::Identity();    ///< deformation gradient at t [1]
+  Tensor F1 = Tensor::Identity();    ///< at t + dt [1]
+  std::vector<double> state0 = {};   ///< every component of the point's state at t, in declared order
+  std::vector<double> fields1 = {};  ///< fields (ASSAY_ROLE_FIELD) at t + dt, in declared order; empty: as at t
 };
 
 /// Point p of a batch of n: F0, F1 9 * n, state0 state_size * n, component-major as in the ABI.
@@ -30,12 +31,20 @@ inline FailedStep failed_step(double t, double dt, std::size_t n, std::size_t p,
   return {t, dt, tensor_at(F0, n, p), tensor_at(F1, n, p), point_of(state0, n, p, state_size)};
 }
 
+/// The same, with the fields that the material prescribes.
+inline FailedStep failed_step(const Material& material, double t, double dt, std::size_t n, std::size_t p,
+                              const double* F0, const double* F1, const double* state0) {
+  FailedStep step = failed_step(t, dt, n, p, F0, F1, state0, material.state_size());
+  step.fields1 = material.field_values(t + dt, step.state0);
+  return step;
+}
+
 /// Takes the step again.
 inline UpdateReport take_again(const Material& material, const FailedStep& step) {
   double cauchy[9];
   std::vector<double> state1(step.state0.size());
   return material.update(step.t, step.dt, 1, nine_of(step.F0).data(), nine_of(step.F1).data(), step.state0.data(),
-                         state1.data(), cauchy);
+                         state1.data(), cauchy, step.fields1);
 }
 
 /// Says where on a path a material failed, and how.

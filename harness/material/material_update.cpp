@@ -55,16 +55,18 @@ void take_statuses(const std::int32_t* status, std::size_t n, char* message, Upd
 }  // namespace
 
 UpdateReport Material::update(double t, double dt, std::size_t n, const double* F0, const double* F1,
-                              const double* state0, double* state1, double* cauchy) const {
+                              const double* state0, double* state1, double* cauchy,
+                              std::span<const double> fields1) const {
   const assay_step step{pace_ * t, pace_ * dt, F0, F1};
   UpdateReport report;
   char message[ASSAY_MESSAGE_SIZE] = "";
   std::int32_t status[ASSAY_BATCH_MAX];
   std::fill_n(status, n, ASSAY_GOOD);
-  for (const Field& field : fields_) {
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
+    const Field& field = fields_[k];
     const std::size_t at = field.component * n;
-    if (field.value) {
-      std::fill_n(state1 + at, n, field.value(t + dt));
+    if (k < fields1.size() || field.value) {
+      std::fill_n(state1 + at, n, k < fields1.size() ? fields1[k] : field.value(t + dt));
     } else {
       std::copy_n(state0 + at, n, state1 + at);
     }

@@ -93,4 +93,13 @@ inline std::vector<StatePlace> state_of(const assay_material& table) {
   return all;
 }
 
+/// Of a point: components of the state that are fields of the surroundings, as they are declared.
+inline std::vector<std::size_t> fields_of(const assay_material& table) {
+  std::vector<std::size_t> all;
+  for (const StatePlace& place : state_of(table)) {
+    if (place.role == ASSAY_ROLE_FIELD) all.push_back(place.first);
+  }
+  return all;
+}
+
 }  // namespace assay

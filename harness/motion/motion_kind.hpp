@@ -18,6 +18,7 @@
 #include "harness/motion/path.hpp"
 #include "harness/motion/ring_kinematics.hpp"
 #include "harness/numeric/keys.hpp"
+#include "harness/numeric/number_text.hpp"
 
 namespace assay {
 
@@ -86,6 +87,13 @@ struct MotionUse {
   bool by_method = false;                             ///< a particle method runs it
   std::function<bool(const std::string& key)> gives;  ///< whether the scene gives the key
   int dimension = 2;                                  ///< of the scene
+  /// A number in the units of the scene, and behind it the unit; absent in SI. digits: 0: all.
+  std::function<std::string(double value, std::string_view si_unit, int digits)> in_units = {};
+
+  std::string text(double value, std::string_view si_unit, int digits = 0) const {
+    if (in_units) return in_units(value, si_unit, digits);
+    return digits > 0 ? rounded_text(value, digits) : number_text(value);
+  }
 };
 
 class MotionKind {

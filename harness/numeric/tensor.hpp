@@ -13,7 +13,6 @@ namespace assay {
 using Vector3 = Eigen::Vector3d;
 using Tensor = Eigen::Matrix3d;
 
-/// Component of a tensor by the row-major index 0..8 of the ABI (11,12,13,21,22,23,31,32,33).
 /// Of the components 11, 22, 33, 12, 13, 23.
 inline Tensor symmetric_tensor(const std::array<double, 6>& s) {
   Tensor A;
@@ -21,6 +20,7 @@ inline Tensor symmetric_tensor(const std::array<double, 6>& s) {
   return A;
 }
 
+/// Component of a tensor by the row-major index 0..8 of the ABI (11,12,13,21,22,23,31,32,33).
 inline double component(const Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
 inline double& component(Tensor& tensor, int index) { return tensor(index / 3, index % 3); }
 

@@ -30,6 +30,7 @@ target_compile_definitions(foreign_mfront_norton_writes PRIVATE WRITES_ITS_BEGIN
 add_foreign_double(umat_callbacks ${foreign}/umat_callbacks.c)
 add_foreign_double(umat_orthotropic ${foreign}/umat_orthotropic.c)
 add_foreign_double(umat_incomplete ${foreign}/umat_incomplete.c)
+add_foreign_double(umat_crashes_when_hot ${foreign}/umat_crashes_when_hot.c)
 add_foreign_double(vumat_clock ${foreign}/vumat_clock.c)
 foreach(interface umat vumat mfront)
   add_foreign_double(${interface}_thermal ${foreign}/${interface}_thermal.c)

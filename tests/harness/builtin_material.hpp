@@ -10,6 +10,7 @@
 
 extern "C" {
 const assay_material* assay_builtin_compressible_fluid(std::uint32_t host_major, std::uint32_t index);
+const assay_material* assay_builtin_damage(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_drucker_prager(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_hypoelastic_green_naghdi(std::uint32_t host_major, std::uint32_t index);
 const assay_material* assay_builtin_hypoelastic_jaumann(std::uint32_t host_major, std::uint32_t index);

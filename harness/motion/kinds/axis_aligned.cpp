@@ -152,14 +152,15 @@ class AxisAlignedKind final : public MotionOf<AxisAlignedKind, AxisAligned> {
       return MotionFault{"motion.factors", "the third must be 0 in the plane, found " + number_text(m.s().z()) +
                                                ": with dimension: 3 it may be any number"};
     const double largest = m.s().cwiseAbs().maxCoeff();
+    const std::string peak = use.text(m.amplitude.peak, "m"), bound = use.in_units ? "1/pi m" : "1/pi";
     if (std::abs(m.amplitude.peak) * largest < 1 / pi) return std::nullopt;
     if (largest > 1 && use.gives && use.gives("motion.factors"))
       return MotionFault{"motion.factors", "the largest in size, " + number_text(largest) +
-                                               ", times motion.amplitude.peak, " + number_text(m.amplitude.peak) +
-                                               ", must be less than 1/pi in size, for det F > 0"};
+                                               ", times motion.amplitude.peak, " + peak + ", must be less than " +
+                                               bound + " in size, for det F > 0"};
     const std::string times = largest == 1 ? "" : "times the largest of motion.factors, " + number_text(largest) + ", ";
     return MotionFault{"motion.amplitude.peak",
-                       times + "must be less than 1/pi in size, for det F > 0, found " + number_text(m.amplitude.peak)};
+                       times + "must be less than " + bound + " in size, for det F > 0, found " + peak};
   }
 
  private:

@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "harness/motion/registry.hpp"
-#include "harness/numeric/number_text.hpp"
 
 namespace assay {
 
@@ -162,8 +161,8 @@ class DeformationTableKind final : public MotionOf<DeformationTableKind, Deforma
     if (use.gives("motion.final"))
       return MotionFault{"motion.final", "cannot be combined with motion.path, which gives F at all times"};
     if (use.end > m.last())
-      return MotionFault{"time.end", "must not exceed the last time of motion.path, " + number_text(m.last()) +
-                                         ", found " + number_text(use.end)};
+      return MotionFault{"time.end", "must not exceed the last time of motion.path, " + use.text(m.last(), "s") +
+                                         ", found " + use.text(use.end, "s")};
     return std::nullopt;
   }
 };

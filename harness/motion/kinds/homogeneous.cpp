@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "harness/motion/registry.hpp"
-#include "harness/numeric/number_text.hpp"
 
 namespace assay {
 
@@ -73,7 +72,7 @@ class HomogeneousKind final : public MotionOf<HomogeneousKind, Homogeneous> {
       const double s = last * i / 1000;
       const Tensor F = Tensor::Identity() * (1 - s) + m.final * s;
       if (F.determinant() > 0) continue;
-      return MotionFault{"motion.final", "det F <= 0 on the way, at t = " + number_text(s * m.period)};
+      return MotionFault{"motion.final", "det F <= 0 on the way, at t = " + use.text(s * m.period, "s")};
     }
     if (use.by_method && use.dimension == 2 && !is_plane())
       return MotionFault{"motion.final",

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "harness/motion/registry.hpp"
-#include "harness/numeric/number_text.hpp"
 
 namespace assay {
 
@@ -74,8 +73,8 @@ class TwistingRingKind final : public MotionOf<TwistingRingKind, TwistingRing>, 
          {.unit = "m", .required = true});
     m.twist.amplitude.keys(keys);
   }
-  std::optional<MotionFault> fault(const MotionUse&) const override {
-    if (auto found = fault_of_radii(ring())) return found;
+  std::optional<MotionFault> fault(const MotionUse& use) const override {
+    if (auto found = fault_of_radii(ring(), use)) return found;
     const double ri = m.inner(), ro = m.outer();
     if (std::abs(ro - 3 * ri) <= 1e-9 * ro)
       return MotionFault{"motion.outer", "must not be 3 times motion.inner: no cubic U then moves the outer face"};
@@ -85,10 +84,10 @@ class TwistingRingKind final : public MotionOf<TwistingRingKind, TwistingRing>, 
       const RingRadial u = m.radial(R);
       const double most = std::abs(m.expansion) * std::max(std::abs(u.slope), std::abs(u.U) / R);
       if (most < 1) continue;
-      return MotionFault{"motion.expansion", "det F <= 0 on the way, at R = " + number_text(R) +
+      return MotionFault{"motion.expansion", "det F <= 0 on the way, at R = " + use.text(R, "m") +
                                                  ": must be less in size than " +
-                                                 rounded_text(std::abs(m.expansion) / most, 4) + " there, found " +
-                                                 number_text(m.expansion)};
+                                                 use.text(std::abs(m.expansion) / most, "m", 4) + " there, found " +
+                                                 use.text(m.expansion, "m")};
     }
     return std::nullopt;
   }

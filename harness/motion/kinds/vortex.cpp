@@ -6,7 +6,6 @@
 
 #include "harness/motion/motion.hpp"
 #include "harness/motion/registry.hpp"
-#include "harness/numeric/number_text.hpp"
 
 namespace assay {
 
@@ -149,7 +148,7 @@ class VortexKind final : public MotionOf<VortexKind, Vortex>, public PolarMotion
     ring_keys(keys, m);
     m.amplitude.keys(keys);
   }
-  std::optional<MotionFault> fault(const MotionUse&) const override { return fault_of_radii(ring()); }
+  std::optional<MotionFault> fault(const MotionUse& use) const override { return fault_of_radii(ring(), use); }
 };
 
 }  // namespace
@@ -163,10 +162,10 @@ void ring_keys(Keys& keys, Vortex& m) {
   profile_power_key(keys, m.profile_power);
 }
 
-std::optional<MotionFault> fault_of_radii(const Annulus& ring) {
+std::optional<MotionFault> fault_of_radii(const Annulus& ring, const MotionUse& use) {
   if (ring.inner < ring.outer) return std::nullopt;
-  return MotionFault{"motion.inner", "must be less than motion.outer, found " + number_text(ring.inner) + " and " +
-                                         number_text(ring.outer)};
+  return MotionFault{"motion.inner", "must be less than motion.outer, found " + use.text(ring.inner, "m") + " and " +
+                                         use.text(ring.outer, "m")};
 }
 
 void register_vortex(MotionRegistry& registry) {

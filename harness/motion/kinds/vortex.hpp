@@ -60,6 +60,6 @@ std::unique_ptr<MotionKind> kind_of(const Vortex& motion);
 void ring_keys(Keys& keys, Vortex& motion);
 
 /// Whether the inner radius is the smaller one.
-std::optional<MotionFault> fault_of_radii(const Annulus& ring);
+std::optional<MotionFault> fault_of_radii(const Annulus& ring, const MotionUse& use);
 
 }  // namespace assay

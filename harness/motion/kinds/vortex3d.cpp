@@ -8,7 +8,6 @@
 #include "harness/motion/kinds/vortex.hpp"
 #include "harness/motion/registry.hpp"
 #include "harness/numeric/norms.hpp"
-#include "harness/numeric/number_text.hpp"
 
 namespace assay {
 
@@ -174,10 +173,10 @@ class Vortex3dKind final : public MotionOf<Vortex3dKind, Vortex3d> {
     if (found) return found;
     if (const auto both = m.overlap()) {
       const Vector3& X = both->X;
+      const auto place = [&](double x) { return use.text(x, "m", 4); };
       return MotionFault{"motion.vortices[" + std::to_string(both->second) + "]",
                          "overlaps motion.vortices[" + std::to_string(both->first) + "], for both hold the point (" +
-                             rounded_text(X.x(), 4) + ", " + rounded_text(X.y(), 4) + ", " + rounded_text(X.z(), 4) +
-                             "): they must be disjoint"};
+                             place(X.x()) + ", " + place(X.y()) + ", " + place(X.z()) + "): they must be disjoint"};
     }
     return std::nullopt;
   }
@@ -196,7 +195,7 @@ class Vortex3dKind final : public MotionOf<Vortex3dKind, Vortex3d> {
     }
     if (is_torus && !(*r.ring_radius > r.radius))
       return says("ring_radius", "must be more than radius, so that the torus does not reach its axis, found " +
-                                     number_text(*r.ring_radius) + " and " + number_text(r.radius));
+                                     use.text(*r.ring_radius, "m") + " and " + use.text(r.radius, "m"));
     if (auto fault = fault_of_axis(r.axis)) return says("axis", fault->what);
     return std::nullopt;
   }

@@ -3,7 +3,7 @@
 ! cm: E, nu, yield, isotropic, which. hsv: p.
 ! which: 1 rejects a strain increment above 0.1; 2 deletes the point there; 3 writes past hsv; 4 writes to cm; 6 is
 ! neo-Hookean elasticity by the F of IHYPER = 1, which stands behind the one number of hsv.
-! umat42 is umat41 with the arguments of older releases.
+! umat42, umat43 and umat44 are umat41 with the arguments of older releases: 16, 12 and 13.
 subroutine umat41(cm, eps, sig, epsp, hsv, dt1, capa, etype, tt, temper, failel, crv, nnpcrv, cma, qmat, elsiz, idele, &
                   reject)
   implicit none
@@ -31,6 +31,29 @@ subroutine umat42(cm, eps, sig, epsp, hsv, dt1, capa, etype, tt, temper, failel,
   if (etype /= 'solid' .or. abs(qmat(2, 2) - 1) > 0) error stop 'another element'
   call law(cm, eps, sig, epsp, hsv)
 end subroutine umat42
+
+subroutine umat43(cm, eps, sig, epsp, hsv, dt1, capa, etype, tt, temper, failel, crv)
+  implicit none
+  integer, parameter :: dp = kind(1d0)
+  real(dp) :: cm(*), eps(6), sig(6), epsp, hsv(*), dt1, capa, tt, temper, crv(*)
+  character(len=*) :: etype
+  logical :: failel
+
+  if (etype /= 'solid') error stop 'another element'
+  call law(cm, eps, sig, epsp, hsv)
+end subroutine umat43
+
+subroutine umat44(cm, eps, sig, epsp, hsv, dt1, capa, etype, tt, temper, failel, crv, nnpcrv)
+  implicit none
+  integer, parameter :: dp = kind(1d0)
+  real(dp) :: cm(*), eps(6), sig(6), epsp, hsv(*), dt1, capa, tt, temper, crv(*)
+  character(len=*) :: etype
+  logical :: failel
+  integer :: nnpcrv(*)
+
+  if (etype /= 'solid' .or. nnpcrv(1) /= 0) error stop 'another element'
+  call law(cm, eps, sig, epsp, hsv)
+end subroutine umat44
 
 subroutine law(cm, eps, sig, epsp, hsv)
   implicit none

@@ -60,6 +60,8 @@ TEST_P(MalformedBehaviour, IsRefusedInOneSentence) {
     FAIL() << "accepted";
   } catch (const ModelRefused& error) {
     EXPECT_NE(std::string(error.what()).find(GetParam().words), std::string::npos) << error.what();
+    const bool of_hypothesis = std::string(error.what()).find("the hypothesis Tridimensional") != std::string::npos;
+    EXPECT_EQ(error.key() == "hypothesis", of_hypothesis) << error.key();
   }
 }
 

@@ -3,7 +3,7 @@
 ! prop: E, nu, yield, isotropic, which. ustatev: p.
 ! which: 1 asks for a shorter step where a strain increment exceeds 0.1; 2 the same with a factor; 3 writes past ustatev;
 ! 4 writes to dStrain; 5 takes the shears for those of a tensor; 6 returns the stress of neo-Hookean elasticity, in the
-! axes of R, by defGrad.
+! axes of R, by defGrad; 7 and 8 add its modulus of the Truesdell rate, of J sigma over J and of tau.
 subroutine usermat(matid, elemid, kdomintpt, klayer, ksectpt, ldstep, isubst, keycut, ndirect, nshear, ncomp, nstatev, &
                    nprop, time, dtime, temp, dtemp, stress, ustatev, dsdepl, sedel, sedpl, epseq, strain, dstrain, epspl, &
                    prop, coords, var0, defgrad_t, defgrad, tsstif, epszz, cutfactor, var1, var2, var3, var4, var5, var6, &
@@ -29,13 +29,20 @@ subroutine usermat(matid, elemid, kdomintpt, klayer, ksectpt, ldstep, isubst, ke
   h = prop(4)
   unit = 0
   unit(1:3) = 1
-  if (which == 6) then
+  if (which >= 6) then
     u = matmul(transpose(defgrad), defgrad)  ! U U = R^T b R: the stress of the law in the axes of R
     j = sqrt(determinant(u))
     c = (k - 2 * g / 3) * log(j) / j
     stress(1:3) = [(c + g / j * (u(i, i) - 1), i = 1, 3)]
     stress(4) = g / j * u(1, 2)
     if (ncomp == 6) stress(5:6) = g / j * [u(2, 3), u(1, 3)]
+    if (which == 6) return
+    dsdepl = 0
+    dsdepl(1:3, 1:3) = k - 2 * g / 3
+    do i = 1, ncomp
+      dsdepl(i, i) = dsdepl(i, i) + merge(2._dp, 1._dp, i <= 3) * (g - j * c)
+    end do
+    if (which == 7) dsdepl = dsdepl / j
     return
   end if
   do i = 1, ncomp

@@ -32,6 +32,8 @@ inline ForeignModel usermat_double(Axes axes = Axes::corotational) {
 inline ForeignModel lsdyna_double(const std::string& symbol = "umat41_") {
   ForeignModel model = vendor_double("lsdyna_j2", ForeignInterface::lsdyna, symbol);
   if (symbol == "umat42_") model.arguments = 16;
+  if (symbol == "umat43_") model.arguments = 12;
+  if (symbol == "umat44_") model.arguments = 13;
   return model;
 }
 

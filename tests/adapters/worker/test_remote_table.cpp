@@ -163,6 +163,19 @@ TEST_F(RemoteTable, APointThatEndsANativeModelIsFoundInItsBatch) {
   EXPECT_NE(report.message.find("was ended by signal 6"), std::string::npos) << report.message;
 }
 
+/// A field at the end of the step is that of each point alone, too.
+TEST_F(RemoteTable, APointThatEndsTheModelByItsFieldIsFoundInItsBatch) {
+  constexpr std::size_t n = 3;
+  Material material(remote_table(start_with("library: " + built("tests/plugins/crashes_when_hot.so") + "\n")), {});
+  material.prescribe({{"temperature", [](double t) { return 300 + 100 * t; }}});
+  std::vector<double> F(9 * n), state0 = material.initial_state(n), state1(n), cauchy(9 * n);
+  for (const std::size_t d : {0, 4, 8}) std::fill_n(F.begin() + static_cast<std::ptrdiff_t>(d * n), n, 1.0);
+  const UpdateReport report = material.update(0, 1, n, F.data(), F.data(), state0.data(), state1.data(), cauchy.data());
+  EXPECT_EQ(report.worst, ASSAY_FAILED);
+  EXPECT_NE(report.message.find("was ended by signal 6"), std::string::npos) << report.message;
+  EXPECT_EQ(report.message.find("by none of them alone"), std::string::npos) << report.message;
+}
+
 TEST_F(RemoteTable, ABatchOfWhichNoPointAloneEndsTheModelIsTold) {
   const UpdateReport report = batch_with_a_bad_point("crashes_in_a_run.so", 70, 38);
   EXPECT_EQ(report.worst, ASSAY_FAILED);

@@ -114,6 +114,32 @@ TEST(BeyondWords, OfOtherArraysAreAnOverrun) {
   EXPECT_EQ(judged_beyond({}).test.verdict, check::Verdict::pass);
 }
 
+Beyonds read_of(const char* array, std::size_t size, std::ptrdiff_t first, std::ptrdiff_t last) {
+  Beyonds found;
+  for (std::ptrdiff_t k = first; k <= last; ++k) found.read.push_back({array, size, k});
+  return found;
+}
+
+/// LS-DYNA with IHYPER keeps F right behind hsv.
+TEST(BeyondWords, NineNumbersBehindTheHistoryMayBeF) {
+  const auto sentence = [](const Beyonds& found, bool may_be_F) {
+    return judged_beyond(found, may_be_F).test.sentence;
+  };
+  EXPECT_EQ(sentence(read_of("hsv", 1, 2, 10), true),
+            "reads hsv(2:10), 1 is declared: F stands there with IHYPER = 1: declare `strain: finite`; if it is not F "
+            "that is read, `state` must declare 10 numbers");
+  Beyonds most;
+  for (const std::ptrdiff_t k : {3, 4, 6, 7, 9, 10}) most.read.push_back({"hsv", 1, k});
+  EXPECT_NE(sentence(most, true).find("declare `strain: finite`"), std::string::npos);
+  EXPECT_NE(sentence(read_of("hsv", 0, 1, 9), true).find("declare `strain: finite`"), std::string::npos);
+  EXPECT_EQ(sentence(read_of("hsv", 1, 2, 9), true), "reads hsv(2:9), 1 is declared: `state` must declare 9 numbers");
+  EXPECT_EQ(sentence(read_of("hsv", 1, 3, 11), true).find("strain: finite"), std::string::npos) << "not right behind";
+  EXPECT_EQ(sentence(read_of("hsv", 1, 2, 10), false).find("strain: finite"), std::string::npos) << "it is declared";
+  Beyonds written = read_of("hsv", 1, 2, 10);
+  written.written = {{"hsv", 1, 2}};
+  EXPECT_EQ(sentence(written, true).find("strain: finite"), std::string::npos) << "nobody writes to F";
+}
+
 TEST(BeyondWords, OfWhatIsOnlyWrittenAreAnOverrunToo) {
   const ForeignFinding state = judged_beyond({{}, {{"STATEV", 1, 2}, {"STATEV", 1, 3}}});
   EXPECT_EQ(state.test.cause, check::causes::overrun);

@@ -52,6 +52,15 @@ TEST_F(Host, WhatMayBeMeantStandsOnTheVerdictLine) {
   }
 }
 
+/// What a path may change is varied by the check as the rest is.
+TEST_F(Host, FieldsThatMayVaryAreInputsAsOthers) {
+  const std::string swelling = "fields: {swelling: 0}\nvarying: [swelling]\n", temperature = "varying: [temperature]\n";
+  EXPECT_NE(ForeignCheck("umat_kinematic", kinematic("BY_FIELD", swelling)).dependence_on("PREDEF(1)"), "");
+  EXPECT_NE(ForeignCheck("umat_kinematic", kinematic("BY_TEMP", swelling)).dependence_on("TEMP"), "");
+  EXPECT_NE(ForeignCheck("umat_kinematic", kinematic("BY_TEMP", temperature)).dependence_on("TEMP"), "");
+  EXPECT_NE(ForeignCheck("umat_kinematic", kinematic("BY_FIELD", temperature)).dependence_on("PREDEF(1)"), "");
+}
+
 /// The shear modulus, by 0.002 for each degree: 2 %, and less of the whole stress.
 TEST_F(Host, TheSizeIsThatOfTheStress) {
   const ForeignCheck check("umat_kinematic", kinematic("BY_TEMP"));

@@ -45,6 +45,32 @@ TEST(CheckOtherVendors, WhatIsWrongIsNamed) {
       << axes.said;
 }
 
+/// It reads F behind its one number.
+TEST(CheckOtherVendors, AModelOfFIsToldToDeclareIt) {
+  if (!has_foreign("lsdyna_j2")) GTEST_SKIP() << "no Fortran compiler";
+  const ForeignCheck check("lsdyna_j2", keys_of("lsdyna", 6));
+  EXPECT_EQ(check.cause(), "state not declared") << check.said;
+  EXPECT_NE(check.sentence().find("1 is declared: F stands there with IHYPER = 1: declare `strain: "
+                                  "finite`"),
+            std::string::npos)
+      << check.sentence();
+}
+
+TEST(CheckOtherVendors, ATangentOfAnotherConventionIsNamed) {
+  if (!has_foreign("usermat_j2")) GTEST_SKIP() << "no Fortran compiler";
+  for (const char* axes : {"", "components: [4]\n"}) {
+    const ForeignCheck truesdell("usermat_j2", keys_of("usermat", 7, axes));
+    EXPECT_EQ(truesdell.cause(), "tangent of another convention") << axes << truesdell.said;
+    EXPECT_NE(truesdell.sentence().find("dsdePl is the modulus of the Truesdell rate, as by pushing"),
+              std::string::npos)
+        << truesdell.sentence();
+  }
+  const ForeignCheck of_tau("usermat_j2", keys_of("usermat", 8));
+  EXPECT_NE(of_tau.sentence().find("dsdePl is the modulus of the Truesdell rate of the Kirchhoff stress"),
+            std::string::npos)
+      << of_tau.said;
+}
+
 TEST(CheckOtherVendors, ALibraryWithoutADescriptionIsNamed) {
   if (!has_foreign("usermat_j2")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;

@@ -35,6 +35,22 @@ TEST(CheckText, RemarksAreCountedInTheVerdictAndKeptForCi) {
   EXPECT_NE(xml.find("name=\"remark of rotation.state\" value=\"own axes\""), std::string::npos) << xml;
 }
 
+TEST(CheckText, WarningsAreCountedInTheVerdictAndKeptForCi) {
+  CheckedMaterial checked = checked_with({.id = "rest", .sentence = "no stress"});
+  EXPECT_EQ(check_text(checked, Verbosity::quiet).find("warning"), std::string::npos);
+  EXPECT_NE(check_json(checked).find("\"warnings\": []"), std::string::npos) << check_json(checked);
+  checked.warnings = {"m.f:3: 'elam' is used uninitialized"};
+  EXPECT_NE(check_text(checked, Verbosity::quiet).find("; 1 warning\n"), std::string::npos);
+  checked.warnings.push_back("m.f:4: MU is an integer");
+  EXPECT_NE(check_text(checked, Verbosity::quiet).find("; 2 warnings\n"), std::string::npos);
+  EXPECT_NE(check_text({checked}, 1).find("warning: m.f:4: MU is an integer\n"), std::string::npos) << "of all";
+  const auto read = checked_of_json(check_json(checked));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->warnings, checked.warnings);
+  const std::string xml = check_junit({checked});
+  EXPECT_NE(xml.find("name=\"warning\" value=\"m.f:4: MU is an integer\""), std::string::npos) << xml;
+}
+
 TEST(CheckText, TheVerdictLineSaysWhatTheAnswerDependsOn) {
   CheckedMaterial checked = checked_with({.id = "rest", .sentence = "no stress"});
   checked.depends_on = {{"TEMP", "2 % for +10"}, {"NOEL", "1 % at 2"}};

@@ -89,5 +89,27 @@ INSTANTIATE_TEST_SUITE_P(Kinds, UnsetMemory,
                                                "      STRESS=STRESS+MATMUL(C,DSTRAN)\n"}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
+/// CI reads files, and not what is printed on the way: with the source, and with the description made of it.
+TEST(UnsetVariables, AreInTheFilesForCi) {
+  if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
+  const ScratchFolder scratch;
+  const std::string law = head + "      STRESS(1)=STRESS(1)+GG*DSTRAN(1)\n      END\n";
+  const std::string file = scratch.write("law.f", law);
+  const std::string said = "is used uninitialized";
+  for (const std::vector<std::string>& subject :
+       {std::vector<std::string>{file, "--props", "1e3,.3"}, {scratch / "r/law.yaml"}}) {
+    std::vector<std::string> words{"check",   subject[0],        "--quick", "--json",     scratch / "c.json",
+                                   "--junit", scratch / "c.xml", "-o",      scratch / "r"};
+    words.insert(words.end(), subject.begin() + 1, subject.end());
+    const Ending check = assay(words);
+    const auto found = nlohmann::json::parse(bytes_of(scratch / "c.json"));
+    ASSERT_EQ(found["warnings"].size(), 1u) << check.said;
+    EXPECT_NE(found["warnings"][0].get<std::string>().find("law.f:"), std::string::npos) << found["warnings"];
+    EXPECT_NE(found["warnings"][0].get<std::string>().find(said), std::string::npos) << found["warnings"];
+    EXPECT_NE(bytes_of(scratch / "c.xml").find("<property name=\"warning\""), std::string::npos);
+    EXPECT_NE(check.said.find("1 warning"), std::string::npos) << check.said;
+  }
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_check_unset

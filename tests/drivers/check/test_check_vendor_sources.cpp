@@ -2,23 +2,32 @@
 // Sources of a USERMAT and of LS-DYNA's user materials, checked from their text.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "tests/drivers/material/source_fixture.hpp"
 #include "tests/drivers/process.hpp"
 
 namespace assay::drivers::test_check_vendor_sources {
 namespace {
 
+/// What stands behind crv, by the number of arguments.
+const std::map<int, std::string> ends_of_list{{12, ""},
+                                              {13, ",nnpcrv"},
+                                              {14, ",nnpcrv,cma"},
+                                              {16, ",cma,qmat,elsiz,idele"},
+                                              {18, ",nnpcrv,cma,qmat,elsiz,idele,reject"}};
+
 /// Linear elasticity as LS-DYNA's users write it: nothing is declared, and reals are those of the program.
-std::string umat_of_lsdyna(const std::string& name, bool older) {
-  return "      subroutine " + name + " (cm,eps,sig,epsp,hsv,dt1,capa,etype,tt,\n     1 temper,failel,crv," +
-         (older ? "cma,qmat,elsiz,idele)\n" : "nnpcrv,cma,qmat,elsiz,idele,reject)\n") +
-         "      dimension cm(*),eps(*),sig(*),hsv(*),crv(*),cma(*),qmat(3,3)\n"
-         "      character*5 etype\n"
+std::string umat_of_lsdyna(const std::string& name, int arguments) {
+  return "      subroutine " + name + " (cm,eps,sig,epsp,hsv,dt1,capa,etype,tt,\n     1 temper,failel,crv" +
+         ends_of_list.at(arguments) + ")\n" + "      dimension cm(*),eps(*),sig(*),hsv(*),crv(*)" +
+         (arguments > 13 ? ",cma(*),qmat(3,3)" : "") +
+         "\n      character*5 etype\n"
          "      logical failel,reject\n"
          "      young=cm(1)\n"
          "      ratio=cm(2)\n"
          "      g=young/(2.*(1.+ratio))\n"
-         "      trace=young*ratio/((1.+ratio)*(1.-2.*ratio))*(eps(1)+eps(2)+eps(3))\n"
+         "      trace=young*ratio/(1.+ratio)/(1.-2.*ratio)*(eps(1)+eps(2)+eps(3))\n"
          "      do i=1,3\n"
          "        sig(i)=sig(i)+trace+2.*g*eps(i)\n"
          "        sig(i+3)=sig(i+3)+g*eps(i+3)\n"
@@ -72,20 +81,90 @@ TEST_F(CheckVendorSources, AUsermatIsRecognised) {
 }
 
 TEST_F(CheckVendorSources, AUserMaterialOfLsdynaIsRecognisedAndHasDoublePrecision) {
-  for (const bool older : {false, true}) {
+  for (const int arguments : {12, 13, 16, 18}) {
     int status = -1;
-    const std::string text = said(
-        status, {scratch.write("model.f", umat_of_lsdyna("umat46", older)), "--props", "210e3,.3", "--statev", "1"});
+    const std::string text = said(status, {scratch.write("model.f", umat_of_lsdyna("umat46", arguments)), "--props",
+                                           "210e3,.3", "--statev", "1"});
     EXPECT_EQ(status, 0) << text;
     EXPECT_NE(text.find("a user material of LS-DYNA (umat46_)"), std::string::npos) << text;
     EXPECT_NE(text.find("1 hsv from --statev"), std::string::npos) << text;
     const std::string description = bytes_of(scratch / "out/model.yaml");
-    EXPECT_NE(description.find(older ? "arguments: 16" : "arguments: 18"), std::string::npos) << description;
+    EXPECT_NE(description.find("arguments: " + std::to_string(arguments)), std::string::npos) << description;
+    EXPECT_EQ(assay({"check", scratch / "out/model.yaml", "--quick", "-o", scratch / "again"}).status, 0);
   }
 }
 
+TEST_F(CheckVendorSources, AnotherNumberOfArgumentsIsNamed) {
+  int status = -1;
+  const std::string file = scratch.write("model.f", umat_of_lsdyna("umat46", 14));
+  const std::string text = said(status, {file, "--props", "210e3,.3", "--statev", "1"});
+  EXPECT_EQ(status, 2);
+  EXPECT_NE(text.find("model.f:1:1: 'umat46' has 14 arguments, and a user material of LS-DYNA has 12, 13, 16 or 18"),
+            std::string::npos)
+      << text;
+  const std::string chosen = said(status, {file, "--props", "210e3,.3", "--statev", "1", "--symbol", "umat46"});
+  EXPECT_NE(chosen.find("symbol: 'umat46' has 14 arguments"), std::string::npos) << chosen;
+  std::string shorter = usermat_text;
+  shorter.replace(shorter.find(",var8"), 5, "");
+  const std::string of_ansys = said(status, {scratch.write("u.f", shorter), "--props", "210e3,.3"});
+  EXPECT_NE(of_ansys.find("'usermat' has 40 arguments, and a USERMAT has 41 or 42"), std::string::npos) << of_ansys;
+}
+
+/// The samples that come with LS-DYNA name these files and what they declare, with and without IMPLICIT NONE.
+TEST_F(CheckVendorSources, TheIncludedFilesOfLsdynaAreProvided) {
+  const std::string sample =
+      "      include 'nlqparm'\n"
+      "      include 'bk06.inc'\n"
+      "      include 'iounits.inc'\n"
+      "      dimension cm(*),eps(*),sig(*),hsv(*),crv(lq1,2,*),cma(*),qmat(3,3)\n";
+  const std::string end =
+      "      if (ncycle.eq.1) call usermsg('mat41')\n"
+      "      if (etype.ne.'solid') then\n"
+      "        write(iotty,10) etype\n"
+      "        cerdat(1)=etype\n"
+      "        call lsmsg(3,MSG_SOL+1150,ioall,ierdat,rerdat,cerdat,0)\n"
+      "      endif\n"
+      "   10 format(a)\n"
+      "      return\n";
+  std::string text = umat_of_lsdyna("umat41", 18);
+  const std::string declared = "      dimension cm(*),eps(*),sig(*),hsv(*),crv(*),cma(*),qmat(3,3)\n";
+  text.replace(text.find(declared), declared.size(), sample);
+  text.replace(text.find("      return\n"), 13, end);
+  int status = -1;
+  const auto of = [&](const std::string& name, const std::string& source) {
+    return said(status, {scratch.write(name, source), "--props", "210e3,.3", "--statev", "1"});
+  };
+  const std::string implicit = of("model.f", text);
+  EXPECT_EQ(status, 0) << implicit;
+  EXPECT_EQ(implicit.find("warning"), std::string::npos) << implicit;
+  std::string typed = text;
+  typed.insert(typed.find("      include 'nlqparm'"), "      implicit none\n");
+  typed.insert(typed.find("      character*5 etype"),
+               "      real epsp,dt1,capa,tt,temper,elsiz,cm,eps,sig,hsv,crv,cma,qmat\n"
+               "      real young,ratio,g,trace\n      integer nnpcrv(*),idele,i\n");
+  EXPECT_EQ((of("typed.f", typed), status), 0) << of("typed.f", typed);
+  scratch.write("nlqparm", "      parameter (nlq=\n");
+  EXPECT_NE(of("own.f", text).find("nlqparm:1:"), std::string::npos) << of("own.f", text);
+  EXPECT_EQ(status, 2) << "the file beside the source goes first, and is wrong";
+}
+
+/// How compilers of other vendors read columns is not known.
+TEST_F(CheckVendorSources, ColumnsAreThoseOfAbaqusForItsSourcesAlone) {
+  int status = -1;
+  std::string text = umat_of_lsdyna("umat41", 18);
+  text.replace(text.find("      ratio=cm(2)\n"), 18, "      ratio=" + std::string(62, ' ') + "cm(2)\n");
+  for (const auto& [name, source] : {std::pair{"dyna.f", text}, {"ansys.f", usermat_text}}) {
+    const std::string found = said(status, {scratch.write(name, source), "--props", "210e3,.3", "--statev", "1"});
+    EXPECT_NE(found.find("read at 132 columns;"), std::string::npos) << found;
+    EXPECT_EQ(found.find("Abaqus"), std::string::npos) << found;
+    EXPECT_EQ(found.find("assay reads it, since it takes 132 columns;") != found.npos, name == std::string("dyna.f"));
+  }
+  const std::string of_abaqus = said(status, {scratch.write("umat.f", hooke_umat), "--props", "210e3,.3"});
+  EXPECT_NE(of_abaqus.find("read at 132 columns as by Abaqus"), std::string::npos) << of_abaqus;
+}
+
 TEST_F(CheckVendorSources, OfSeveralOneIsChosen) {
-  const std::string file = scratch.write("model.f", umat_of_lsdyna("umat41", false) + umat_of_lsdyna("umat42", true));
+  const std::string file = scratch.write("model.f", umat_of_lsdyna("umat41", 18) + umat_of_lsdyna("umat42", 16));
   int status = -1;
   const std::string both = said(status, {file, "--props", "210e3,.3", "--statev", "1"});
   EXPECT_EQ(status, 2) << both;

@@ -257,17 +257,13 @@ TEST_F(SourceDescriptionTest, WhatTheCompilerWarnsOfIsTold) {
   EXPECT_EQ(warnings("      SSE=TIME(2)+PREDEF(1)\n"), "");
 }
 
-TEST(CompilerMessages, OfVariablesOfTheCompilersOwnAreNotTold) {
-  EXPECT_TRUE(warnings_in("m.f:9:72: Warning: '__var_1_mmb.offset' is used uninitialized [-Wuninitialized]\n").empty());
-  EXPECT_EQ(warnings_in("m.f:9:72: Warning: 'anu' is used uninitialized [-Wuninitialized]\n").size(), 1u);
-}
-
 TEST_F(SourceDescriptionTest, VariablesThatHoldLessOfAPropertyAreWarnedOf) {
   const auto warnings = [&](const std::string& statements) {
     return all(describe(scratch.write("m.f", fixed_umat(statements))).warnings);
   };
   const std::string whole = warnings("      K0=PROPS(1)\n      XNU=PROPS(2)\n      LAM=2*PROPS(1)/3\n");
-  EXPECT_NE(whole.find("K0, LAM are integers by their first letter, and take PROPS"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("K0, LAM are integers by their first letter, and take real numbers"), std::string::npos)
+      << whole;
   EXPECT_NE(whole.find("m.f:13: "), std::string::npos) << whole;
   const std::string single = warnings("      REAL E\n      E=PROPS(1)\n");
   EXPECT_NE(single.find("m.f:14: E is a real of 4 bytes, and takes PROPS"), std::string::npos) << single;
@@ -319,6 +315,14 @@ TEST_F(SourceDescriptionTest, ADescriptionMayNameASource) {
             std::string::npos);
   EXPECT_NE(line("source: no.f\ninterface: umat\n").find(":1:9: source: no such file"), std::string::npos);
   EXPECT_NE(line("source: a.c\ninterface: umat\n").find(":1:9: source: must be a Fortran source"), std::string::npos);
+  EXPECT_NE(line("library: a.so\nsource: hooke.f\ninterface: umat\n")
+                .find("d.yaml:2:9: source: contradicts `library`: a source is compiled"),
+            std::string::npos);
+  const std::string absent = "link: the linker finds no library 'no_such_lib'";
+  EXPECT_NE(line("source: hooke.f\ninterface: umat\nlink: [m, no_such_lib]\n").find("d.yaml:3:11: " + absent),
+            std::string::npos);
+  EXPECT_NE(line("source: hooke.f\ninterface: umat\nlink: no_such_lib\n").find("d.yaml:3:7: " + absent),
+            std::string::npos);
 }
 
 }  // namespace

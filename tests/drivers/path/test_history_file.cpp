@@ -63,5 +63,57 @@ TEST(HistoryFile, RefusesWithPlace) {
   EXPECT_TRUE(has(refusal_of("", "e"), "data.csv"));
 }
 
+/// The table of a path is a history with units.
+TEST(HistoryFile, TakesTheUnitsThatAPathWrites) {
+  const std::string table = "# units: t [min], e11 [1], s11 [MPa]\nt,e11,s11\n0,0,1\n2,0.5,3\n";
+  EXPECT_EQ(read(table, "s11", "t", HistoryKind::stress).values, (Values{1e6, 3e6}));
+  EXPECT_EQ(read(table, "e11").times, (Values{0, 120}));
+}
+
+TEST(HistoryFile, RefusesUnitsThatContradictOrDoNothing) {
+  const auto refusal = [](const std::string& header, HistoryKind kind, const std::string& unit,
+                          const std::string& time_unit = "") {
+    const ScratchFolder scratch;
+    PathFunction f;
+    f.type = PathFunction::Type::file;
+    f.file = scratch.write("data.csv", header + "\n0,1\n2,3\n"), f.time = "t";
+    f.where = {"path.yaml", 3, 7}, f.unit = unit, f.time_unit = time_unit;
+    try {
+      read_history_file(f, "x", "path.control.s11", kind);
+      return std::string("taken");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(refusal("t,x [kPa]", HistoryKind::stress, "kPa"), "taken");
+  EXPECT_EQ(refusal("t,x [kPa]", HistoryKind::stress, "MPa"),
+            "path.yaml:3:7: path.control.s11.unit: is 'MPa', and the header of the file says 'kPa': leave it out");
+  EXPECT_NE(refusal("t [s],x", HistoryKind::stress, "", "ms").find("time_unit: is 'ms'"), std::string::npos);
+  EXPECT_NE(
+      refusal("t,x [kPa]", HistoryKind::stress, "foo").find("path.control.s11.unit: 'foo' is no unit of a stress"),
+      std::string::npos);
+  EXPECT_NE(refusal("t,x [K]", HistoryKind::field, "degF").find("unit: has no effect"), std::string::npos);
+  EXPECT_NE(refusal("t,x [kPa]", HistoryKind::field, "").find("is no unit of a field"), std::string::npos);
+  EXPECT_EQ(refusal("t,x [K]", HistoryKind::field, ""), "taken");
+}
+
+/// Measured values over a strain that falls, as compression where tension counts positive.
+TEST(HistoryFile, TakesAnAbscissaThatFalls) {
+  const auto compared = [](const std::string& rows) {
+    const ScratchFolder scratch;
+    PathFunction f;
+    f.type = PathFunction::Type::file;
+    f.file = scratch.write("data.csv", "e11,s11\n" + rows), f.time = "e11";
+    f.where = {"path.yaml", 3, 7};
+    read_history_file(f, "s11", "compare", HistoryKind::stress, {}, HistoryKind::number);
+    return f;
+  };
+  const PathFunction falls = compared("0,0\n-0.1,-5\n-0.2,-7\n");
+  EXPECT_EQ(falls.times, (Values{-0.2, -0.1, 0}));
+  EXPECT_EQ(falls.values, (Values{-7, -5, 0}));
+  EXPECT_EQ(compared("-0.2,1\n0.1,2\n").times, (Values{-0.2, 0.1}));
+  EXPECT_THROW(compared("0,0\n-0.1,1\n0.1,2\n"), InputError);
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_history_file

@@ -4,9 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "drivers/check/replay.hpp"
 #include "drivers/path/path_scene.hpp"
 #include "drivers/path/path_tabulation.hpp"
 #include "drivers/verbs/verbs.hpp"
+#include "tests/drivers/process.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/support/built.hpp"
@@ -104,6 +106,79 @@ TEST(PathFields, AreRefusedByAModelThatTakesNone) {
   EXPECT_NE(said.find("path.fields.temperature: material 'neo_hookean' has no field of that name; known: none"),
             std::string::npos)
       << said;
+}
+
+/// The parts of a function meet within rounding, and a field has no more periods than a row may have.
+TEST(PathFields, TakeWavesAsRowsDo) {
+  EXPECT_EQ(tabulated("mfront",
+                      "{control: {s11: 0}, end: 0.3, fields: {Temperature: {type: cycles, sizes: [1, 2, 3], "
+                      "period: 0.1}}}")
+                .status,
+            0);
+  EXPECT_NE(refused("{control: {s11: 0}, fields: {Temperature: {type: sine, amplitude: 1, period: 1.0e-12}}}")
+                .find("path.fields.Temperature.period"),
+            std::string::npos);
+  EXPECT_NE(
+      refused("{control: {s11: 0}, end: 1, fields: {Temperature: {type: ramp, from: 0, to: 1, begin: 2, end: 3}}}")
+          .find("path.fields.Temperature.begin"),
+      std::string::npos);
+}
+
+std::string refused_description(const std::string& text) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("m.yaml", text);
+  const std::string scene =
+      "material: {adapter: '" + file + "'}\npath: {type: uniaxial_stress, control: {e11: 0.001}}\n";
+  TabulateOptions options;
+  options.scene = scratch.write("path.yaml", scene), options.out = scratch / "out";
+  options.verbosity = Verbosity::quiet;
+  return refusal_of([&] { tabulate(options); });
+}
+
+TEST(PathFields, AValueThatNobodyGivesIsRefused) {
+  EXPECT_NE(refused_description("library: " + thermal("mfront") + "\ninterface: mfront\nvarying: [YoungModulus]\n")
+                .find("m.yaml:3:11: varying.YoungModulus: `properties` must give its value"),
+            std::string::npos);
+  EXPECT_NE(refused_description("library: " + thermal("umat") +
+                                "\ninterface: umat\nproperties: {E: 1000, nu: 0.3, alpha: 1.0e-4}\nfields: "
+                                "{temperature: 0}\n")
+                .find("m.yaml:4:23: fields.temperature: is no field here: the key `temperature` says it"),
+            std::string::npos);
+}
+
+/// A model that ends its process where it is hot: the step that is left has the temperature at both of its ends.
+void expect_the_same_end(const std::string& adapter, const ScratchFolder& scratch) {
+  TabulateOptions options;
+  options.scene = scratch.write("path.yaml", "material: {adapter: '" + adapter +
+                                                 "', isolation: worker}\n"
+                                                 "path: {control: {e11: {type: ramp, to: 0.01}}, fields: {temperature: "
+                                                 "{type: ramp, from: 293, to: 393}}}\n");
+  options.out = scratch / "out";
+  options.verbosity = Verbosity::quiet;
+  EXPECT_EQ(tabulate(options), 1);
+  const std::string file = options.out + "/replay.yaml", text = bytes_of(file);
+  const Replay replay = read_replay(file);
+  ASSERT_EQ(replay.step->fields1.size(), 1u) << text;
+  EXPECT_LE(replay.step->state0.back(), 350);
+  EXPECT_GE(replay.step->fields1[0], 350);
+  EXPECT_NEAR(replay.step->fields1[0], 293 + 100 * (replay.step->t + replay.step->dt), 1e-9);
+  const Ending again = assay({"check", "--replay", file});
+  EXPECT_EQ(again.status, 1) << again.said;
+  EXPECT_NE(again.said.find("signal 6"), std::string::npos) << again.said;
+  std::string cooler = text;
+  cooler.replace(cooler.find("fields1:"), std::string::npos, "fields1:\n  temperature: 340\nreason: none\n");
+  EXPECT_EQ(assay({"check", "--replay", scratch.write("cooler.yaml", cooler)}).status, 0);
+  cooler.replace(cooler.find("  temperature: 340"), 13, "  humidity");
+  EXPECT_EQ(assay({"check", "--replay", scratch.write("other.yaml", cooler)}).status, 2);
+}
+
+TEST(PathFields, AreInTheStepOfAReplay) {
+  const ScratchFolder scratch;
+  expect_the_same_end(scratch.write("hot.yaml", "library: " + built("tests/foreign/umat_crashes_when_hot.so") +
+                                                    "\ninterface: umat\nproperties: {E: 1000, nu: 0.3, alpha: "
+                                                    "0}\ntemperature: 293\n"),
+                      scratch);
+  expect_the_same_end(built("tests/plugins/crashes_when_hot.so"), scratch);
 }
 
 }  // namespace

@@ -292,5 +292,71 @@ TEST(PathTabulation, RefusesWhatBelongsElsewhere) {
   EXPECT_NE(refusal_of([&] { tabulate(options); }).find("--define"), std::string::npos);
 }
 
+/// At a jump two rows stand at one time: each is compared with its like.
+TEST(PathTabulation, AVariantThatIsTheSameDiffersByNothing) {
+  const std::string same = "variants: [{label: same, parameters: {nu: 0.3}}]\n";
+  for (const char* control :
+       {"tau11: 12", "e11: {type: table, times: [0, 0.5, 0.5, 1], values: [0, 0.01, 0.02, 0.03]}"}) {
+    const Found found = tabulated(plastic + "path: {type: uniaxial_stress, control: {" + control + "}}\n" + same);
+    EXPECT_EQ(found.result["variants"][0]["difference"].get<double>(), 0) << control;
+  }
+}
+
+/// "elast." ends with "last.": a label is no prefix of a column.
+TEST(PathTabulation, LabelsMayHoldTheWordsOfKeys) {
+  const Found found = tabulated(plastic +
+                                "path: {type: uniaxial_stress, control: {e11: {type: ramp, to: 0.02}}}\n"
+                                "variants: [{label: elast, parameters: {yield_stress: 5}}]\n"
+                                "compare: {file: data.csv, y: s11, y_column: y}\n"
+                                "expect: {variants.elast.misfit: {below: 10}, variants.elast.last.s11: {above: 1}}\n");
+  EXPECT_EQ(found.status, 0);
+}
+
+/// Stress that is prescribed is met, whatever the increments err by: the deformation tells.
+TEST(PathTabulation, IncrementsUnderStressErrInDeformation) {
+  const std::string back =
+      "material: {adapter: j2_jaumann, parameters: {E: 1.0e+3, nu: 0.3, yield_stress: 10, hardening_modulus: 20, "
+      "kinematic_modulus: 30}}\n";
+  const Found found =
+      tabulated(back +
+                "path: {type: torsion, control: {s12: {type: table, times: [0, 1, 2], values: [0, 8, 8]},"
+                " s11: {type: table, times: [0, 1, 2], values: [0, 0, 8]}}}\nincrements: [4, 8, 16]\n");
+  const auto& rows = found.result["increments"];
+  ASSERT_EQ(rows.size(), 3u);
+  for (const auto& row : rows) {
+    EXPECT_LT(row["stress"].get<double>(), 1e-9);
+    EXPECT_GT(row["error"].get<double>(), 1e-7);
+    EXPECT_EQ(row["error"], row["deformation"]);
+  }
+  EXPECT_GT(rows[2]["order"].get<double>(), 0.8);
+}
+
+/// The path is known at the times at which it is compared, however few its rows are.
+TEST(PathTabulation, AMisfitDoesNotDependOnRows) {
+  const std::string rest =
+      ", control: {e11: {type: sine, amplitude: 0.01, period: 0.4}}}\ncompare: {file: data.csv, y: s11, y_column: y}\n";
+  const double few = tabulated(elastic + "path: {type: uniaxial_stress, rows: 1" + rest).result["misfit"];
+  const double many = tabulated(elastic + "path: {type: uniaxial_stress, rows: 500" + rest).result["misfit"];
+  EXPECT_NEAR(few, many, 1e-9);
+}
+
+/// One unknown deformation: its stiffness vanishes at the largest load.
+TEST(PathTabulation, ALimitLoadOfOneUnknownIsNamed) {
+  const Found found = tabulated(
+      "material: {adapter: neo_hookean, parameters: {E: 3.0e+6, nu: 0.2}}\n"
+      "path: {type: isotropic, control: {s11: {type: ramp, to: 3.0e+6}}}\n");
+  EXPECT_EQ(found.result["outcome"], "limit_load");
+  EXPECT_NEAR(found.result["last"]["s11"].get<double>(), 765015, 1);
+}
+
+/// Two functions with knots that rounding has made two: no row follows another by less.
+TEST(PathTabulation, NoTwoRowsStandWithinRounding) {
+  const Found found = tabulated(
+      "material: {adapter: compressible_fluid, parameters: {bulk_modulus: 1.0e+3, viscosity: 1.0}}\n"
+      "path: {control: {L12: {type: sine, amplitude: 1.0, period: 3.3}, L11: {type: sine, amplitude: 0.1, period: "
+      "2.31}}, end: 3.3}\nexpect: {largest.s12: {below: 1.001}}\n");
+  EXPECT_EQ(found.status, 0);
+}
+
 }  // namespace
 }  // namespace assay::drivers::test_path_tabulation

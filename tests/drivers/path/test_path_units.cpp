@@ -125,7 +125,6 @@ TEST(PathUnits, AFileWithoutUnitsIsInThem) {
   };
   EXPECT_NEAR(last("plain.csv", ""), 150, 1e-6);
   EXPECT_NEAR(last("headed.csv", ""), 150, 1e-6) << "the header wins";
-  EXPECT_NEAR(last("headed.csv", ", unit: kPa, time_unit: min"), 150, 1e-6) << "over these as well";
 }
 
 TEST(PathUnits, MessagesAreInThem) {
@@ -143,6 +142,28 @@ TEST(PathUnits, MessagesAreInThem) {
               scene_of_text("units: {time: sec}\n" + own_material + "path: {control: {e11: 0.1}}\n");
             }).find("known: s, ms, us, min, h"),
             std::string::npos);
+}
+
+/// Limits on figures of a variant are in the units of the scene as well, and resolved.yaml holds as the scene does.
+TEST(PathUnits, LimitsOnVariantsAreConverted) {
+  const std::string text =
+      "units: {length: mm, stress: MPa, time: min}\n"
+      "material: {adapter: neo_hookean, parameters: {E: 10, nu: 0.3}, density: 1.0e-9}\n"
+      "path: {type: uniaxial_stress, control: {e11: {type: ramp, to: 0.02}}, end: 2}\n"
+      "variants: [{label: B, parameters: {E: 20}}]\n"
+      "expect: {last.s11: {between: [0.1, 0.3]}, variants.B.last.s11: {between: [0.3, 0.5]}, "
+      "variants.B.t: {between: [1.9, 2.1]}}\n";
+  const Tabulated found = tabulated(text);
+  EXPECT_EQ(found.status, 0);
+  const Tabulated again = tabulated(found.resolved);
+  EXPECT_EQ(again.status, 0) << found.resolved;
+}
+
+/// ln J has no indices.
+TEST(PathUnits, VolumeBesideAStressIsConverted) {
+  const PathScene scene =
+      scene_of_text(head + own_material + "path: {control: {s11 + 1000 lnJ: 0, e22: 0.01, e33: 0}}\n");
+  EXPECT_NE(resolved_path_yaml(scene).find("s11 + 1.0e+9 lnJ\": 0"), std::string::npos) << resolved_path_yaml(scene);
 }
 
 }  // namespace

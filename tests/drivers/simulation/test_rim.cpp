@@ -37,8 +37,9 @@ TEST(Rim, FrontsBeyondThePeakLeaveNoZone) {
 }
 
 TEST(Rim, ASentenceOnlyBelowTwoCells) {
-  EXPECT_FALSE(narrow_rim_sentence({0.1, 1.99}).empty());
-  EXPECT_TRUE(narrow_rim_sentence({0.1, 2}).empty());
+  EXPECT_FALSE(narrow_rim_sentence({0.1, 1.99}, {}).empty());
+  EXPECT_NE(narrow_rim_sentence({0.1, 1.99}, {.length = "mm"}).find("is 100 mm wide"), std::string::npos);
+  EXPECT_TRUE(narrow_rim_sentence({0.1, 2}, {}).empty());
 }
 
 /// Mises' stress of the Jaumann rate in simple shear is sqrt(3) 2 mu sin(gamma / 2), and gamma = 2 xi g.

@@ -136,11 +136,13 @@ TEST(Screening, SafeAmplitudesAreNeverRoundedUp) {
   figures.t = 0.25, figures.xi = -1.5, figures.smallest = -0.1;
   figures.largest_safe_amplitude = 0.148;
   EXPECT_EQ(
-      instability_sentence(figures, "clay"),
+      instability_sentence(figures, "clay", {}),
       "this motion is not a stable solution for this model at this amplitude: clay loses strong ellipticity at t = "
       "0.25 s, xi = -1.5; largest safe amplitude 0.148 of the path's (motion.allow_unstable: true overrides)");
+  const std::string in_ms = instability_sentence(figures, "clay", {.time = "ms"});
+  EXPECT_NE(in_ms.find("at t = 250 ms, xi"), std::string::npos) << in_ms;
   figures.verdict = "neutral";
-  EXPECT_EQ(instability_sentence(figures, "water"), "");
+  EXPECT_EQ(instability_sentence(figures, "water", {}), "");
 }
 
 /// Screened at the places of the body alone, which say no amplitude that would be safe.
@@ -160,7 +162,7 @@ TEST(Screening, OfARingAndABoxLooksWhereTheBodyIs) {
   const ScreenFigures lost = screened("axis_aligned", {soft, pressed, "motion.amplitude.peak=0.2"});
   EXPECT_EQ(lost.verdict, "unstable");
   EXPECT_FALSE(lost.largest_safe_amplitude);
-  EXPECT_EQ(instability_sentence(lost, "soft").find("safe"), std::string::npos);
+  EXPECT_EQ(instability_sentence(lost, "soft", {}).find("safe"), std::string::npos);
 }
 
 }  // namespace

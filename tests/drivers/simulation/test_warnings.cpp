@@ -108,6 +108,22 @@ TEST(Warnings, SaysThatNoStepIsWrittenBehindTheEnd) {
             "output.each_step_from = 1.5 s lies beyond time.end = 1 s: no step is written for it");
 }
 
+TEST(Warnings, AreInTheUnitsOfTheScene) {
+  const std::string units = "units: {length: mm, stress: MPa, time: ms}\n";
+  std::string scene =
+      "motion: {type: vortex, amplitude: {peak: 0.1}}\n"
+      "material: {adapter: neo_hookean, parameters: {E: 1e-3, nu: 0.3}, density: 1e-3}\n"
+      "body: {domain: ring}\ngrid: {spacing: 100}\nmethod: {basis: cpdi}\n";
+  EXPECT_EQ(warnings_in(units + scene + "output: {each_step_from: 1500}\n"),
+            "output.each_step_from = 1500 ms lies beyond time.end = 1000 ms: no step is written for it");
+  EXPECT_EQ(warnings_in(units + scene + "time: {step: 250}\n").find("time.step = 250 ms is "), 0u)
+      << warnings_in(units + scene + "time: {step: 250}\n");
+  const std::string model = "neo_hookean, parameters: {E: 1e-3, nu: 0.3}";
+  scene.replace(scene.find(model), model.size(), built("tests/plugins/pressed_at_rest.so"));
+  EXPECT_EQ(warnings_in(units + scene).find("the material has a stress of 0.0001 MPa at rest"), 0u)
+      << warnings_in(units + scene);
+}
+
 TEST(Warnings, SaysThatADensityIsThatOfOtherUnits) {
   const auto of = [](const char* density, const char* E) {
     std::string scene = scene_and("time: {end: 1.0e-9, step: 1.0e-12}\n");

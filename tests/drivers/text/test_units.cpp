@@ -43,6 +43,8 @@ TEST(Units, ConvertByTheDimension) {
   EXPECT_DOUBLE_EQ(mm_MPa_s.scale("m/s").to_si(3000), 3);
   EXPECT_DOUBLE_EQ(mm_MPa_s.scale("J/m^3").to_si(2), 2e6) << "mJ/mm^3 are MPa";
   EXPECT_EQ(mm_MPa_s.scale("1").to_si(0.3), 0.3);
+  EXPECT_EQ(mm_MPa_s.scale("deg").to_si(30), 30) << "an angle of a model stays";
+  EXPECT_NE(parse_unit("deg")->dimension, parse_unit("1")->dimension) << "a strain has no degrees";
   EXPECT_TRUE(mm_MPa_s.scale("regime").is_one());
   EXPECT_TRUE(mm_MPa_s.scale("MPa").is_one()) << "what a foreign model has in its own units stays";
 }
@@ -60,6 +62,8 @@ TEST(Units, HaveNames) {
   EXPECT_EQ(mm_MPa_s.name("regime"), "regime");
   EXPECT_EQ(Units().name("J/m^3"), "J/m^3");
   EXPECT_EQ(mm_MPa_s.text(0.5, "m"), "500 mm");
+  EXPECT_EQ(mm_MPa_s.text(30, "deg"), "30 deg");
+  EXPECT_EQ(mm_MPa_s.text(3, "Pa/deg"), "3e-06 MPa/deg");
 }
 
 TEST(Units, StandInHeadings) {

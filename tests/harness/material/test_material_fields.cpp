@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/material/material.hpp"
+#include "harness/material/material_failure.hpp"
 
 namespace assay::test_material_fields {
 namespace {
@@ -93,6 +93,23 @@ TEST(MaterialFields, AreThoseOfAClone) {
   const Material clone = material.clone();
   EXPECT_EQ(clone.initial_state(1)[warmth], 7);
   EXPECT_EQ(step(clone, 1, 1, clone.initial_state(1), 1).cauchy[0], 14);
+}
+
+/// What a failed step keeps of them is what it is taken with again, whatever is prescribed then.
+TEST(MaterialFields, OfAStepThatIsTakenAgain) {
+  Material material(thermometer(), {});
+  material.prescribe({{"warmth", [](double t) { return 30 + 5 * t; }}});
+  const std::vector<double> F = {1, 0, 0, 0, 1, 0, 0, 0, 1}, state = material.initial_state(1);
+  FailedStep kept = failed_step(material, 1, 1, 1, 0, F.data(), F.data(), state.data());
+  EXPECT_EQ(kept.fields1, std::vector<double>{40});
+  const Material plain(thermometer(), {});
+  double cauchy[9], after[2];
+  plain.update(kept.t, kept.dt, 1, F.data(), F.data(), state.data(), after, cauchy, kept.fields1);
+  EXPECT_EQ(cauchy[0], 40);
+  EXPECT_EQ(after[warmth], 40);
+  kept.fields1.clear();
+  plain.update(kept.t, kept.dt, 1, F.data(), F.data(), state.data(), after, cauchy, kept.fields1);
+  EXPECT_EQ(cauchy[0], state[warmth]);
 }
 
 TEST(MaterialFields, OfAnotherNameAreRefused) {
