@@ -1,35 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a change touches, and which of the deep checks it calls for (docs/development.md, "Which check is where").
+"""What a change touches (docs/development.md, "Which check is where").
 
-usage: changed.py BASE checks                   names of deep checks, a line each: spine races mutants long foreign ...
-       changed.py BASE sources:K/N [PREFIX...]  sources that changed, and every N-th, from the K-th on, of those that
-                                                read a header that changed, below the prefixes
-       changed.py BASE files                    all that changed
+usage: changed.py BASE files                    all that changed
+       changed.py BASE sources:MOST [PREFIX...] sources that changed, and at most MOST of those that read a header that
+                                                changed, the nearest first, below the prefixes
+       changed.py BASE tree                     one number for all files as they are now, whatever BASE is
 
 BASE is a commit; `-` stands for none, and then everything has changed. What is not committed counts as changed.
 """
+import hashlib
 import re
 import subprocess
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-
-# What builds and checks everything calls for every deep check.
-HOW = r"CMakeLists|CMakePresets|cmake/|tests/CMakeLists|tests/[a-z]+[.]cmake|dev$|[.]ci/|"
-# deep check: paths whose change calls for it
-CALLS = {
-    "spine": HOW + r"mpm/|harness/|drivers/(simulation/|composition|effects|run|verbs/run)|"
-                   r"bench/(compare_spine|minimal_step|effect_scenes)|configs/paper/",
-    "races": HOW + r"mpm/|harness/|drivers/|tests/(races|mpm/test_races|drivers/library)",
-    "mutants": HOW + r"drivers/|mpm/|adapters/|harness/|tests/fuzz/",
-    "long": HOW + r"drivers/|mpm/|adapters/|harness/|tests/|configs/|docs/check[.]md",
-    "foreign": r"drivers/(library|export|judge|templates/export)/|tests/foreign",
-    "bench": HOW + r"bench/",
-    "package": HOW + r"tests/(package|downstream)/|harness/assay_material|drivers/library/|adapters/(models|abaqus)/|completions/|configs/|"
-                     r"docs/assay[.]1|README|LICENSE|THIRD_PARTY|CHANGELOG",
-}
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 
@@ -60,40 +46,48 @@ def changed(base):
 
 
 def readers(names):
-    """The sources and headers that read one of these files, and these."""
+    """The sources and headers that read one of these files: a list of names for each distance, itself first."""
     includes = {}
     for name in files():
         if re.search(r"[.](cpp|hpp|c|h)$", name):
             text = (ROOT / name).read_text(encoding="utf-8", errors="replace")
             for read in INCLUDE.findall(text):
                 includes.setdefault(read, []).append(name)
-    found, new = set(names), list(names)
-    while new:
-        for reader in includes.get(new.pop(), []):
-            if reader not in found:
-                found.add(reader)
-                new.append(reader)
-    return found
+    found, rings = set(names), [sorted(names)]
+    while rings[-1]:
+        ring = {reader for name in rings[-1] for reader in includes.get(name, [])} - found
+        found |= ring
+        rings.append(sorted(ring))
+    return rings
+
+
+def sources(names, most, prefixes):
+    def wanted(ring):
+        return [name for name in ring if name.endswith((".cpp", ".c")) and (ROOT / name).is_file() and
+                (not prefixes or name.startswith(tuple(prefixes)))]
+    rings = readers(names)
+    only_read = [name for ring in rings[1:] for name in wanted(ring)]
+    if len(only_read) > most:
+        print(f"changed.py: {len(only_read) - most} of {len(only_read)} sources that read a changed header are left to "
+              "--deep", file=sys.stderr)
+    return wanted(rings[0]) + only_read[:most]
+
+
+def tree():
+    total = hashlib.sha256()
+    for name in sorted(files()):
+        total.update(name.encode() + b"\0" + hashlib.sha256((ROOT / name).read_bytes()).digest())
+    return total.hexdigest()
 
 
 def main(words):
-    hand = re.fullmatch(r"sources:(\d+)/([1-9]\d*)", words[1]) if len(words) > 1 else None
-    if not hand and (len(words) != 2 or words[1] not in ("checks", "files")):
+    most = re.fullmatch(r"sources:(\d+)", words[1]) if len(words) > 1 else None
+    if not most and (len(words) != 2 or words[1] not in ("files", "tree")):
         sys.exit(__doc__)
-    base, question, prefixes = words[0], words[1], words[2:]
-    names = changed(base)
-    if question == "checks":
-        answer = [check for check, paths in CALLS.items()
-                  if base == "-" or any(re.match(paths, name) for name in names)]
-    elif question == "files":
-        answer = names
+    if most:
+        answer = sources(changed(words[0]), int(most[1]), words[2:])
     else:
-        sources = sorted(name for name in readers(names)
-                         if name.endswith((".cpp", ".c")) and (ROOT / name).is_file() and
-                         (not prefixes or name.startswith(tuple(prefixes))))
-        only_read = [name for name in sources if name not in set(names)]
-        dealt = set(only_read[int(hand[1])::int(hand[2])])
-        answer = [name for name in sources if name in set(names) or name in dealt]
+        answer = [tree()] if words[1] == "tree" else changed(words[0])
     for line in answer:
         print(line)
 

@@ -25,4 +25,3 @@ template Kernels<ASSAY_DIMENSION> table<@basis@<ASSAY_DIMENSION>, ASSAY_DIMENSIO
 endforeach()
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/bases/all_bases.inc @ONLY CONTENT "@ASSAY_HEADERS@")
 target_include_directories(assay_mpm PUBLIC ${PROJECT_BINARY_DIR}/generated/bases)
-target_sources(assay_mpm PRIVATE ${basis_kernels})

@@ -6,8 +6,7 @@ if(NOT ASSAY_SANITIZE MATCHES "thread")
 endif()
 add_executable(test_races harness/numeric/test_parallel.cpp harness/history/test_point_driver.cpp mpm/data/test_blocks.cpp
   mpm/data/test_crew.cpp mpm/material/test_material_batch.cpp mpm/material/test_stress_blocks.cpp mpm/step/test_run_kernels.cpp)
-target_link_libraries(test_races PRIVATE assay_mpm_3d assay_mpm assay_adapters assay_options GTest::gtest_main)
-target_compile_definitions(test_races PRIVATE ASSAY_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+target_link_libraries(test_races PRIVATE assay_mpm_3d assay_mpm assay_adapters assay_options assay_tree_folder GTest::gtest_main)
 string(JOIN ":" threaded "Parallel.*" "Blocks.*" "Crew.TakesEach*" "Crew.Members*" "Crew.Helpers*"
   "Offload.*" "*NumberOfThreads" "*NumberOfThreads/linear_*"
   "*NumberOfThreads/cpdi_*" "*NumberOfThreads/bspline3_*" "Sweep.T*" "MaterialBatches.GiveBit*"

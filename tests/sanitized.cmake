@@ -1,80 +1,78 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# How tests are registered under the address sanitizer: many a process, for a watched program takes as long to start as
-# a small test. What is left out runs nothing that others do not, and takes half a minute and more when watched; all of
-# it is run by the release build.
+# How tests are registered under the address sanitizer. A watched program takes as long to start as a small test, so
+# many tests share a process. A change runs the suites that are named here: readers with damaged input, each product
+# once at a small size, workers, libassay. The rest has the label `long`: the stage `watched` of ./dev test --deep.
 if(NOT ASSAY_SANITIZE MATCHES "address")
   return()
 endif()
 # The drivers' floor, which has no loop over particles, is watched but not optimised: half of its time.
 target_compile_options(assay_drivers PRIVATE -O0)
 
-# Of each program: in how many processes, and what is left out.
-set(shards_of_test_harness 8)
-set(left_out_of_test_harness # searches, sheets and batteries over many models
-  SymmetryClass.KnownC* Battery.NamesWhatIsPlanted* Battery.PassesSingle* BatteryInPlane.* AcousticTensor.Search*
-  History.GivesUpAMotion* Disturbed.NoiseOfIncrements* Shadow.ConvergesToTheSheet* ForceError.Bounds*)
+set(watched_by_test_harness
+  GuardedArrays Largest Limit NumberArchive Keys Places DeformationTable Interpolant Chebyshev VolumeRows
+  TimedHistory HistoryTask PointDriver Response Bands BandMap BandSeries Parallel PathRecipe
+  MaterialTable Material MaterialFields OfferedResults Scope Diagnosis Components StabilityProbe WaveSpeed
+  ControlledHistory ElasticControl Hexahedra NodalLoads ExactFields Frame Motion ReferenceOf ReferenceDomain Vortex
+  StackBelow)
+set(watched_by_test_adapters
+  AbaqusHost AbaqusUtilities AbsentRoutines AllModels Builtin Callbacks ComponentOrder Descendants ElfSymbols EveryModel
+  FencedMisdeed FencedModel FieldsOf ForeignLibrary ForeignNeoHookean ForeignState Forked GoodForeignModel GuardedArrays
+  Harmless HighFiles HistoryOfMisdeeds KeptOutput KeptProcess LastLine Library MalformedBehaviour Mfront MfrontMetadata
+  Misbehaves MissingFile NeededLibraries OtherVendors OwnFolder PlaneStressUmat Probe ProcessWatch RemoteHistories
+  RemoteTable Replay SharedMemory SpinHabit Vumat VumatBlocks WrittenInputs)
+set(watched_by_test_mpm
+  AntiLocking Blocks ClippedLattice Compose Corners Crew Disturb GaussLattice GridPasses Images Lattice LiveNodes
+  MassPreconditioner MassStencil Massless MaterialBatches Offload OnLines ParticleOrder PatchBench PatchBenchInSpace
+  PolarLattice Simulation SmallMass Sweep)
+set(watched_by_test_drivers
+  # scenes and what they name
+  DeformationCsv Dimension Expect InitialStress KeyValues Resolved SceneCheck SceneReader SceneUnits Schema Settings
+  Slips Vortex3dScenes RelativePaths OpenFiles
+  # other files that are read
+  Csv CsvFields FileKind Npy NpyRowsTest ParticleTables UnitRows YamlReader YamlWriter ZipTest HistoryFile
+  MtestDamage MtestFile MtestFormula NiemunisDamage NiemunisFile PathScene PathUnits PointGrids SharedColumn
+  AxesReader StudyReader StudySchema CaseStoreTest CaseList PointReaderTest
+  # words and numbers
+  CommandLine NumberFormat Numbers Sha256 Units Unseen Words WrappedText InputBytes InputError InputFile OutputBytes
+  # materials from descriptions and sources
+  AbaqusDeck BadForeignKey ForeignDescription FortranAdapted FortranColumns FortranForm FortranMessages FortranRoutines
+  FortranText MaterialChoices MaterialTable Registry SourceDescriptionTest DamagedLibraries
+  # what is written
+  Decks ForcePieces ForceTables Npz TableRoutines CellsInVtk ErrorsCsv Junit OutputFolderTest PointColumns PointsCsv
+  Report TimeList Vtu VtuCells JsonFigure ResultFields ResultJson RunJUnit Verdict Canvas ColorMap Drawing LabelPlacer
+  LinePlot StrokeFont Ticks SpaceDrawing StabilityMap StudyMarkdown StudyTables StudyText StudyWords WorkPrecisionPlot
+  # what is computed, each once
+  Compare Eval EvalColumns EvalStatic EffectList PathFields PathPlaneStress Problem Rim Seeds ErrorFigures ExactStress
+  HealthWatch KeptNumbers MemoryInSpace StepClock StandardSet BinnedErrors PerturbedScene JudgeMaps Beyond BeyondWords
+  CheckElements CheckReport CheckText MethodsTable StateBlocks Analysis Comparison Recommendation Survival Plan Sampling
+  Selection Budget
+  # the ends of processes
+  DyingRun Interrupt KilledByItself DeathInAWorker ExitGuard)
+set(watched_by_test_library Cells Mesh Structs DamagedCalls Points Problem Arithmetic OneRounding)
+set(watched_by_test_fuzz_corpus FuzzCorpus)
+set(watched_by_test_mutants Sample RunFaults)
+set(watched_by_test_house "") # it reads the tree, and what it runs others run
 
-set(shards_of_test_adapters 8)
-set(left_out_of_test_adapters # orders of convergence, and models whose sheets take long
-  BodyForceNegativeControl.* SheetNegative* */Disguised.*tolerance J2Multiplicative.Increments* J2Multiplicative.Other*
-  Models/SheetOfEvery*/hypo* Models/SheetOfEvery*/zener* Models/BodyForceOfEvery*/hypo* Models/BodyForceOfEvery*/zener*)
+set(watched_shards_harness 4)
+set(watched_shards_adapters 4)
+set(watched_shards_mpm 6)
+set(watched_shards_drivers 12)
+set(watched_shards_library 4)
+set(watched_shards_fuzz_corpus 6)
+set(watched_shards_mutants 6)
 
-set(shards_of_test_mpm 16)
-set(left_out_of_test_mpm # of the pairs of a basis and a transfer some, and runs of many steps
-  Method/Accounts* Method/EveryPatchedMethod*consistent* Methods/Traction.HoldsToR* Sweep.Results* Space.ABall* Space.AL* Stages.A* PatchTests.CatchEvery* Stages.K*)
-foreach(basis IN ITEMS linear ugimp cpgimp bspline3 bspline4)
-  foreach(transfer IN ITEMS xpic fmpm apic aflip flip_usl_series)
-    list(APPEND left_out_of_test_mpm "Method/*/${basis}_${transfer}*")
-  endforeach()
-  if(NOT basis STREQUAL "cpgimp")
-    list(APPEND left_out_of_test_mpm "Method/*/${basis}_*_total")
+function(shard_tests target)
+  string(REGEX REPLACE "^test_" "" name ${target})
+  if(NOT watched_by_${target})
+    return()
   endif()
-endforeach()
-
-set(shards_of_test_drivers 64)
-set(left_out_of_test_drivers # whole runs of full size; studies, which start the program many times; timing; a browser
-  CutBodies* StudyShards.M* StudyShards.O* StudyShards.T* StudyFailures.AF* StudyFailures.AM* Clusters* CaseKey.Changes*
-  Files/TornCases* StudyResume.C* StudyResume.F* StudyResume.K* StudyResume.M* Plan.* StudyJson.Host*
-  Cases/EvalReferences*ring* *BoxRun.ConvergesAt* PlantedInTheBox* Interfaces/ForeignVortex* Interfaces/FaultOfAComponent* ForceInSpace* */closes_everything*
-  CheckForeign.AModelOfPlaneStrainAloneRuns* CheckMethods.RunsEvery* CheckMethods.WritesJson* Check.JUnit*
-  Check.AllChecks* Cached.ADamaged* Cached.EverythingThat* Cached.ASheetOfABuiltIn* ForeignModels.TwoCores* ForeignModels.AUmat*
-  CheckSource.IsTaken* CheckSizeOfStress.TheWholeBattery* EndOfProcess.A* */exit_pause */destroy_deaf
-  StoppedProcesses* */destroy_pause */destroy_first_pause *KilledFromOutside* */leak
-  Limits/Shortage* HardLimit.OfMem* # the sanitizer itself needs more
-  */UnsetMemory.*local_* # it keeps arrays of ours elsewhere than on the stack that a UMAT finds
-  */exit_null */destroy_null # which the sanitizer would tell in its own words
-  Frames.TheMethodErrs* Frames.BodiesOf* Frames.AMaterialWith* RimOfARun.CoarseGrids*
-  Run.ACylindrically* Run.Repeats* Run.AnExpect* Run.AnUnst* Run.EveryField* Run.Square* Run.ItsFig*
-  Replay.OfAH* Replay.OfAR* Screening.E* Screening.I* Screening.C* Screening.W* Tabulate.AnswersPoints* Tabulate.W* Tabulate.C* TractionTable.Holds* TractionTable.AnEntry*
-  TractionTable.One* TractionTable.Paper*
-  CheckSource.AFileThatIsNot* CheckSource.ADeck* CheckUndeclared.AFailure* Cached.Nothing* RelativePaths.TheSearch*
-  TimeControl.Finds* CheckComponents.AModel* Run.LeavesAC* Run.AMaterialThat* Frames.ATurned* Simulation.Ugimp*
-  Host.WhatMay* */CheckSymmetry.*turned_on TimeAccounts.ATab* Screening.O* ViscousShort*
-  CheckForeign.ModuliOf* CheckSource.IsReg* CheckSource.IsLinked* CheckSource.ItsOwn* AroundTheSteps.WhatIsNot* Host.AVumat* Host.ACounter*
-  */StressInWorkers.*of_2* CheckScope.TheL* CheckScope.AStress* Interfaces/DamagedLibrary.*native RunJUnit.ARun*
-  Tabulate.AnExp* CheckSymmetryOfRings* Signals/StudySignals.*0 InputFile.AHyphen* Check.AFail* StateBlocks.ThoseThat*
-  Kinds/WritingModel* CheckUndeclared.Dir* FailuresInWorkers.AChanged* Terminal.Paths* Screening.SaysN* Advice.OfAR*
-  # of the kinds of misdeeds those that leave different marks on whoever looks on
-  *MisbehavingModel*kills_* *MisbehavingModel*calls_xit *MisbehavingModel*traps_* *MisbehavingModel*rounds_*
-  *MisbehavingModel*shortens_* *MisbehavingModel*flushes_* *MisbehavingModel*ignores_* *MisbehavingModel*exits
-  *MisbehavingModel.*ByARun*closes_output
-  EvalStreams.MemoryDoes* # memory that was freed is kept from use
-  JudgeClocks.OfAM* MistakesOfP* Judge.CountsP* */JudgeOfRuns.*scene_9 */JudgeOfRuns.*scene_1? # runs of full size, each of minutes
-  SceneReader.EveryTrunc* ReportInBrowser* EffectList.Owns* TimeNoise.Noise* ParticlePicture*)
-
-set(shards_of_test_library 8)
-set(left_out_of_test_library # a second copy of the sanitizer; most motions; workers, which start as slowly as programs
-  ProgramOfWorkers* Workers.OfA* Workers.That* Workers.Whose* Workers.Try* */SameAs*plastic */SameAs*viscous
-  Points.BeyondTheEnd*)
-
-set(shards_of_test_house 0) # it reads the tree, and what it runs others run
-set(shards_of_test_fuzz_corpus 8)
-set(left_out_of_test_fuzz_corpus FuzzCorpus.M* FuzzCorpus.D*)
-set(shards_of_test_mutants 8)
-
+  set(patterns ${watched_by_${target}})
+  list(TRANSFORM patterns REPLACE "(.+)" "\\1.*:*/\\1.*:\\1/*.*")
+  list(JOIN patterns ":" patterns)
+  add_shards(${target} ${target} ${watched_shards_${name}} "${patterns}:-${long_suites}" COST 10)
+  math(EXPR count "4 * ${watched_shards_${name}}")
+  add_shards(${target} ${target}/rest ${count} "-${long_suites}:${patterns}" LABELS long)
+endfunction()
 function(discover_tests target)
-  list(JOIN left_out_of_${target} ":" left_out)
-  if(shards_of_${target} GREATER 0)
-    add_shards(${target} ${shards_of_${target}} "${left_out}")
-  endif()
+  shard_tests(${target})
 endfunction()

@@ -30,30 +30,9 @@ foreach(scene IN LISTS scenes)
     COMMAND assay ${verb} ${PROJECT_SOURCE_DIR}/configs/${scene} -o ${PROJECT_BINARY_DIR}/scenes/${name} --quiet ${sets})
   set_property(TEST scene/${name} APPEND PROPERTY ENVIRONMENT ${test_environment}
     "ASSAY_DATA_HOME=${PROJECT_BINARY_DIR}/data" "ASSAY_MATERIAL_PATH=${PROJECT_BINARY_DIR}/tests/foreign")
-  # Two of the models' runs are enough for every day.
-  if(name MATCHES "^models/" AND NOT name MATCHES "^models/vortex_(neo_hookean|damage)$")
+  # Each change runs one of a kind, and those that take less than two seconds.
+  if(NOT name IN_LIST every_time)
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
-  endif()
-  # Watched, those of each kind of motion and of the paper are enough.
-  if(ASSAY_SANITIZE AND name MATCHES "^(models|methods|foreign|umat|frames|tabulate|standard|paths/iso|space/[^h]|motions/[ahrt]|paper/(table|vortex_sq))")
-    set_tests_properties(scene/${name} PROPERTIES LABELS long)
-  endif()
-  # millions of particle-steps, or one of several of a kind
-  set(seldom "peak_(1_5|pi)|nu_4999?|stiff_1e6|free_vibration_(200|moment)|viscous_(fast|slow)|twisting_ring_499|nine_a_cell|jittered")
-  if((ASSAY_SANITIZE AND name MATCHES "^hard/") OR name MATCHES "^hard/(${seldom})$")
-    set_tests_properties(scene/${name} PROPERTIES LABELS long)
-  endif()
-  if(name MATCHES "^(methods/smoothest|umat/j2_(small|large)|space/torus)$") # up to half a minute
-    set_tests_properties(scene/${name} PROPERTIES LABELS long)
-  endif()
-endforeach()
-
-# Runs of seconds each.
-foreach(scene IN LISTS scenes)
-  string(REGEX REPLACE "\\.yaml$" "" name ${scene})
-  get_property(labels TEST scene/${name} PROPERTY LABELS)
-  if(name MATCHES "^(hard|standard|space|methods)/" AND NOT labels)
-    set_tests_properties(scene/${name} PROPERTIES LABELS dealt)
   endif()
 endforeach()
 

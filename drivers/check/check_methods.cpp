@@ -57,7 +57,7 @@ std::int64_t tests_of(const std::vector<mpm::MethodReport>& methods, Verdict ver
 
 /// What belongs to that name; a new entry at the end where there is none.
 template <class T>
-T& entry_of(std::vector<std::pair<std::string, T>>& entries, const std::string& name) {
+T& entry_under(std::vector<std::pair<std::string, T>>& entries, const std::string& name) {
   const auto known = std::ranges::find(entries, name, &std::pair<std::string, T>::first);
   return known == entries.end() ? entries.emplace_back(name, T()).second : known->second;
 }
@@ -69,7 +69,7 @@ std::string reasons(const CheckedMethods& checked) {
     for (const TestResult& test : report.tests) {
       const std::string reason = exemption(report.method, test.id);
       if (reason.empty()) continue;
-      std::vector<std::string>& ids = entry_of(found, reason);
+      std::vector<std::string>& ids = entry_under(found, reason);
       if (std::ranges::count(ids, test.id) == 0) ids.push_back(test.id);
     }
   }
@@ -103,7 +103,7 @@ std::string counts_by_basis(const CheckedMethods& checked) {
   std::vector<std::pair<std::string, std::vector<mpm::MethodReport>>> groups;
   for (const mpm::MethodReport& report : checked.methods) {
     const mpm::MethodNames names = names_of(report.method);
-    entry_of(groups, names.basis + ", " + names.formulation).push_back(report);
+    entry_under(groups, names.basis + ", " + names.formulation).push_back(report);
   }
   std::string page = method_row("basis", "methods", "passed", "failed", "not promised");
   for (const auto& [group, reports] : groups) {

@@ -95,7 +95,7 @@ std::string name_in_roff(const CLI::Option& option) {
   return in_roff(option.get_lnames().empty() ? "-" + option.get_snames()[0] : "--" + option.get_lnames()[0]);
 }
 
-std::string entry_of(const CLI::Option& option) {
+std::string roff_entry(const CLI::Option& option) {
   const std::string name = name_in_roff(option), type = option.get_type_name();
   const bool takes_value = option.get_items_expected_max() > 0 && !type.empty();
   return ".TP\n" + (takes_value ? ".BI " + name + " \" " + in_roff(type) + "\"\n" : ".B " + name + "\n") +
@@ -116,7 +116,7 @@ std::string missing_entries(const CLI::App& app, const CLI::App& verb, const std
   std::string entries;
   for (const CLI::Option* option : verb.get_options()) {
     if (option->get_positional() || app.get_option_no_throw(option->get_name())) continue;
-    if (!names(section, name_in_roff(*option))) entries += entry_of(*option);
+    if (!names(section, name_in_roff(*option))) entries += roff_entry(*option);
   }
   return entries;
 }

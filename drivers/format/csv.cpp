@@ -26,7 +26,7 @@ std::optional<double> csv_value(const std::string& field) {
 }
 
 /// For a message: what cannot be seen is written out, overlong text does not reach the terminal.
-std::string quoted(std::string_view text) { return "'" + shown(text, 40) + "'"; }
+std::string quoted_text(std::string_view text) { return "'" + shown(text, 40) + "'"; }
 
 std::string csv_remedy(const std::string& text) {
   if (text.find('#') != text.npos) return ": only a line that begins with '#' is a remark";
@@ -111,12 +111,12 @@ void CsvRows::header(std::vector<CsvField> fields) {
   if (ends_with_separator_) fields.pop_back();
   for (const CsvField& field : fields) {
     if (!is_one_of(field.text, known_)) refuse_column(field);
-    if (is_one_of(field.text, names_)) fail(field.column, "column " + quoted(field.text) + " twice");
+    if (is_one_of(field.text, names_)) fail(field.column, "column " + quoted_text(field.text) + " twice");
     names_.emplace_back(field.text);
   }
   std::vector<std::string> missing;
   for (const std::string& name : required_) {
-    if (!is_one_of(name, names_)) missing.push_back(quoted(name));
+    if (!is_one_of(name, names_)) missing.push_back(quoted_text(name));
   }
   if (!missing.empty()) {
     fail(1,
@@ -128,17 +128,18 @@ void CsvRows::header(std::vector<CsvField> fields) {
 
 void CsvRows::refuse_column(const CsvField& field) const {
   if (csv_value(field.text)) {
-    fail(field.column, "a number where names of columns belong, found " + quoted(field.text), joined(known_));
+    fail(field.column, "a number where names of columns belong, found " + quoted_text(field.text), joined(known_));
   }
   if (field.text.empty()) fail(field.column, "a column without a name: two separators, or more than one at the end");
   const std::size_t unit = field.text.find_first_of("[(");
   const std::string name(stripped(std::string_view(field.text).substr(0, unit)));
   if (unit != field.text.npos && is_one_of(name, known_))
-    fail(field.column, "column " + quoted(field.text) + ": the name alone, " + quoted(name) + ", without its unit");
+    fail(field.column,
+         "column " + quoted_text(field.text) + ": the name alone, " + quoted_text(name) + ", without its unit");
   const bool blanks = field.text.find_first_of(" \t|:") != std::string::npos;
   const bool others = field.text.find_first_of(",;") != std::string::npos;
   fail(field.column,
-       unknown("column " + quoted(field.text), field.text, known_) +
+       unknown("column " + quoted_text(field.text), field.text, known_) +
            (others   ? separated() + " in this file"
             : blanks ? ": columns are separated by a comma, a semicolon or a tab"
                      : ""),
@@ -183,13 +184,13 @@ void CsvRows::slow_row(std::vector<CsvField> fields, std::vector<double>& row) {
 double CsvRows::number(const CsvField& field, const std::string& name) {
   const bool comma = field.text.find(',') != std::string::npos, point = field.text.find('.') != std::string::npos;
   if (comma && point)
-    fail(field.column, name + ": " + quoted(field.text) + " has a comma and a point: thousands are not separated");
+    fail(field.column, name + ": " + quoted_text(field.text) + " has a comma and a point: thousands are not separated");
   if ((comma && seen_point_) || (point && seen_comma_))
-    fail(field.column, name + ": " + quoted(field.text) + ": a decimal comma and a decimal point in one file");
+    fail(field.column, name + ": " + quoted_text(field.text) + ": a decimal comma and a decimal point in one file");
   const auto value = csv_value(field.text);
   if (!value || !std::isfinite(*value))
     fail(field.column,
-         name + ": " + quoted(field.text) + " is no finite number" +
+         name + ": " + quoted_text(field.text) + " is no finite number" +
              (field.text.find_first_of(",;\t|") == std::string::npos ? csv_remedy(field.text) : separated()));
   seen_comma_ = seen_comma_ || comma;
   seen_point_ = seen_point_ || point;

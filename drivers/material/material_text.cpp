@@ -60,7 +60,7 @@ std::string parameters_text(const MaterialSource& source) {
 
 std::string state_text(const assay_material& table) {
   std::vector<std::vector<std::string>> rows{{"state", "unit", "kind", ""}};
-  for (const assay_state_variable& v : state_of(table)) {
+  for (const assay_state_variable& v : state_variables_of(table)) {
     const std::string role = v.role == ASSAY_ROLE_PLAIN ? "" : role_name(v.role);
     const std::string doc = words(v.doc);
     rows.push_back(
@@ -75,7 +75,9 @@ std::span<const assay_parameter> parameters_of(const assay_material& table) {
   return {table.parameters, table.parameter_count};
 }
 
-std::span<const assay_state_variable> state_of(const assay_material& table) { return {table.state, table.state_count}; }
+std::span<const assay_state_variable> state_variables_of(const assay_material& table) {
+  return {table.state, table.state_count};
+}
 
 std::string kind_name(std::int32_t kind) {
   return kind == ASSAY_SCALAR             ? "scalar"

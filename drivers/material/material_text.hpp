@@ -20,7 +20,7 @@ std::string material_line(const std::string& name, const MaterialSource& source,
 std::string broken_text(const std::string& name, const std::string& reason);
 
 std::span<const assay_parameter> parameters_of(const assay_material& table);
-std::span<const assay_state_variable> state_of(const assay_material& table);
+std::span<const assay_state_variable> state_variables_of(const assay_material& table);
 std::string kind_name(std::int32_t kind);
 std::string role_name(std::int32_t role);
 

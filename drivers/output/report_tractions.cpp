@@ -51,7 +51,7 @@ std::string name_of_row(const TractionRun& run) {
          small_print(run.exact ? "uses the exact solution" : "");
 }
 
-std::string entry_of(const TractionRun& run) {
+std::string entry_for(const TractionRun& run) {
   if (run.outcome == "completed") return figure(run.l2_end) + small_print("max. " + figure(run.l2_max));
   const std::string when = run.t ? "at t = " + with_unit(rounded_text(*run.t, 3), "s") : "";
   return "<td class=\"fails\">" + escaped(run.outcome) + small_print(when) + "</td>";
@@ -91,7 +91,7 @@ std::string tractions_section(const Result& result) {
   if (compared.of_paper) rows.push_back(paper_row(grids));
   for (std::size_t k = 0; k < compared.runs.size(); ++k) {
     if (k % grids.size() == 0) rows.push_back({name_of_row(compared.runs[k])});
-    rows.back().push_back(entry_of(compared.runs[k]));
+    rows.back().push_back(entry_for(compared.runs[k]));
   }
   return section("Tractions side by side", table(head, rows) + traction_caption(compared));
 }

@@ -76,7 +76,7 @@ std::string bytes_of_stream(int number, const Location& where, std::size_t limit
   return read_before[number] = bytes_of(file, where, limit);
 }
 
-FileState state_of(const struct stat& status) {
+FileState file_state_of(const struct stat& status) {
   return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,
           status.st_mtim.tv_nsec};
 }
@@ -86,7 +86,7 @@ std::set<FileState> files_read;
 
 void note_input(const struct stat& status) {
   const std::lock_guard lock(guard_of_inputs);
-  if (S_ISREG(status.st_mode)) files_read.insert(state_of(status));
+  if (S_ISREG(status.st_mode)) files_read.insert(file_state_of(status));
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ bool is_input(const std::string& file) {
   put_files_right();
   struct stat status {};
   const std::lock_guard lock(guard_of_inputs);
-  return ::stat(file.c_str(), &status) == 0 && files_read.contains(state_of(status));
+  return ::stat(file.c_str(), &status) == 0 && files_read.contains(file_state_of(status));
 }
 
 void refuse_input_as_output(const std::string& output, const std::string& option) {
@@ -138,7 +138,7 @@ int open_input(const std::string& file, FileState* state) {
     throw InputError(where, "", fault);
   }
   note_input(status);
-  if (state) *state = state_of(status);
+  if (state) *state = file_state_of(status);
   return opened;
 }
 

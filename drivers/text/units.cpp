@@ -74,7 +74,7 @@ Scale power_of(const Scale& scale, double exponent) {
   return {std::pow(base.up, std::abs(exponent)), std::pow(base.down, std::abs(exponent))};
 }
 
-Scale times(const Scale& a, const Scale& b) { return {a.up * b.up, a.down * b.down}; }
+Scale product_of(const Scale& a, const Scale& b) { return {a.up * b.up, a.down * b.down}; }
 
 /// "mm^2", "m3", "s^-1": the number of characters that it takes, 0 where it is none.
 std::size_t read_factor(std::string_view text, bool divides, Unit& product) {
@@ -101,7 +101,7 @@ std::size_t read_factor(std::string_view text, bool divides, Unit& product) {
   }
   if (divides) exponent = -exponent;
   product.dimension = product.dimension * symbol->dimension.power(exponent);
-  product.scale = times(product.scale, power_of(symbol->scale, exponent));
+  product.scale = product_of(product.scale, power_of(symbol->scale, exponent));
   return behind;
 }
 
@@ -160,7 +160,7 @@ std::vector<std::string> unit_words(std::string_view of) {
 Scale Units::scale(const Dimension& dimension) const {
   Scale scale;
   const auto add = [&](const std::string& word, double exponent) {
-    if (exponent != 0) scale = times(scale, power_of(symbol_of(word)->scale, exponent));
+    if (exponent != 0) scale = product_of(scale, power_of(symbol_of(word)->scale, exponent));
   };
   add(stress, dimension.stress), add(length, dimension.length), add(time, dimension.time);
   return scale;

@@ -37,7 +37,7 @@ Json parameters_json(const MaterialSource& source) {
 
 Json state_json(const assay_material& table) {
   Json list = Json::array();
-  for (const assay_state_variable& v : state_of(table)) {
+  for (const assay_state_variable& v : state_variables_of(table)) {
     list.push_back({{"name", text(v.name)},
                     {"unit", text(v.unit)},
                     {"kind", kind_name(v.kind)},

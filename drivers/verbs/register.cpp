@@ -83,7 +83,7 @@ std::vector<std::string> names_without_value(const MaterialSource& source) {
 
 /// "3 state variables of 8 numbers", as its author counts them: those of the bridge and fields are none.
 std::string own_state_words(const MaterialSource& source, const adapters::ForeignModel& model) {
-  const std::span all = state_of(*source.table);
+  const std::span all = state_variables_of(*source.table);
   const std::size_t before = adapters::bridge_state(model).size();
   const auto own = all.subspan(before, all.size() - before - model.varying.size());
   std::size_t size = 0;

@@ -21,10 +21,17 @@ ASSAY_DECLARE_KERNELS(v3)
 ASSAY_DECLARE_KERNELS(v4)
 #undef ASSAY_DECLARE_KERNELS
 
-/// A name in the namespace of a set of instructions; in three dimensions there is one set.
-#if ASSAY_DIMENSION == 2 && defined(ASSAY_DISPATCHES)
+/// A name in the namespace of a set of instructions, of the sets that were compiled (cmake/instructions.cmake). In
+/// three dimensions there is one set.
+#if ASSAY_DIMENSION == 3
+#define ASSAY_OF(SET, ...) baseline::__VA_ARGS__
+#elif defined(ASSAY_KERNELS_BASELINE) && defined(ASSAY_KERNELS_V3)
 #define ASSAY_OF(SET, ...) \
   ((SET) == Instructions::v4 ? v4::__VA_ARGS__ : (SET) == Instructions::v3 ? v3::__VA_ARGS__ : baseline::__VA_ARGS__)
+#elif defined(ASSAY_KERNELS_V4)
+#define ASSAY_OF(SET, ...) v4::__VA_ARGS__
+#elif defined(ASSAY_KERNELS_V3)
+#define ASSAY_OF(SET, ...) v3::__VA_ARGS__
 #else
 #define ASSAY_OF(SET, ...) baseline::__VA_ARGS__
 #endif

@@ -13,6 +13,7 @@
 #include "adapters/worker/probe.hpp"
 #include "harness/material/material.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::adapters::test_library {
 namespace {
@@ -88,10 +89,9 @@ TEST(Library, APluginOfTheFrozenAbiLoadsForEver) {
 
 TEST(Library, TheFrozenHeaderIsNotEdited) {
   // Its layout is the promise: sizes and offsets of 1.0 on x86-64.
-  EXPECT_EQ(
-      bytes_of(ASSAY_SOURCE_DIR "/tests/adapters/frozen_1_0/assay_material.h").find("#define ASSAY_ABI_MINOR 0") !=
-          std::string::npos,
-      true);
+  EXPECT_EQ(bytes_of(tree_folder() + "/tests/adapters/frozen_1_0/assay_material.h").find("#define ASSAY_ABI_MINOR 0") !=
+                std::string::npos,
+            true);
   EXPECT_GE(sizeof(assay_material), 112u);
   EXPECT_EQ(offsetof(assay_material, parameters), 56u);
   EXPECT_EQ(offsetof(assay_material, create), 72u);
@@ -103,7 +103,7 @@ TEST(Library, RefusesWithOneSentence) {
   EXPECT_EQ(refusal(plugins + "absent.so"), "no such library");
   EXPECT_EQ(refusal(plugins), "is no shared library but a folder or device");
   EXPECT_EQ(refusal("/dev/null"), "is no shared library but a folder or device");
-  EXPECT_EQ(refusal(ASSAY_SOURCE_DIR "/LICENSE"), "is no shared library");
+  EXPECT_EQ(refusal(tree_folder() + "/LICENSE"), "is no shared library");
   EXPECT_EQ(refusal(write_temporary("empty.so", "")), "is no shared library");
   EXPECT_EQ(refusal(plugins + "no_entry.so"), "is no material library: it has no symbol assay_material_entry");
   EXPECT_EQ(refusal(plugins + "other_major.so"), "holds no material for ABI major 1; it serves 2");

@@ -11,6 +11,7 @@
 
 #include "tests/house/tree.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::docs {
 
@@ -141,7 +142,7 @@ std::string run_console(const Block& block, const fs::path& folder) {
 }  // namespace
 
 fs::path scratch_folder(const std::string& name) {
-  const fs::path root = ASSAY_SOURCE_DIR, folder = fs::path(built()) / "docs" / name;
+  const fs::path root = tree_folder(), folder = fs::path(built()) / "docs" / name;
   fs::remove_all(folder);
   fs::create_directories(folder / "build");
   for (const char* link : {"configs", "harness"}) fs::create_directory_symlink(root / link, folder / link);

@@ -10,6 +10,7 @@
 
 #include "tests/docs/page.hpp"
 #include "tests/house/tree.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::test_links {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace assay;
 
-const fs::path root = ASSAY_SOURCE_DIR;
+const fs::path root = tree_folder();
 
 /// What is wrong with a relative link; empty: nothing.
 std::string defect_of(const docs::Page& page, const docs::Link& link) {

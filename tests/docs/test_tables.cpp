@@ -13,6 +13,7 @@
 #include "tests/docs/snippets.hpp"
 #include "tests/house/tree.hpp"
 #include "tests/support/renewal.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::test_tables {
 namespace {
@@ -132,7 +133,7 @@ TEST(Tables, SceneKeysAreThoseOfTheSchema) {
 }
 
 Json effects() {
-  const auto ran = house::run_assay("explain '" ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml' --json");
+  const auto ran = house::run_assay("explain '" + tree_folder() + "/configs/paper/vortex_cpdi.yaml' --json");
   return Json::parse(ran.output)["effects"];
 }
 
@@ -203,7 +204,7 @@ std::set<std::string> files_of(const fs::path& folder) {
 TEST(Tables, ResultsOfARunAreExplained) {
   const fs::path out = docs::scratch_folder("tables_run") / "out";
   const auto ran =
-      house::run_assay("run '" ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml' --quiet --json -o '" + out.string() +
+      house::run_assay("run '" + tree_folder() + "/configs/paper/vortex_cpdi.yaml' --quiet --json -o '" + out.string() +
                        "' --set grid.spacing=0.1 --set output.particles=1 --set expect.t=1");
   const Json result = Json::parse(ran.output);
   EXPECT_EQ(result["outcome"], "completed");
@@ -232,7 +233,7 @@ TEST(Tables, ResultsOfTabulateAndEvalAreExplained) {
   write("plane.csv", "X,Y,t,NX,NY\n1,0,0.5,1,0\n");
   write("space.csv", "X,Y,Z,t,NX,NY\n1,0,0,0.5,1,0\n");
   const auto words = words_of_results();
-  const std::string paper = "'" ASSAY_SOURCE_DIR "/configs/paper/";
+  const std::string paper = "'" + tree_folder() + "/configs/paper/";
   const auto in = [&](const char* name) { return " --points '" + (folder / name).string() + "'"; };
   const std::string scene = paper + "tabulate_neo_hookean.yaml'";
   ASSERT_EQ(

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/drivers/process.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers {
 
@@ -20,7 +21,7 @@ struct Misdeeds {
     points = scratch.write("points.csv", "X,Y,t\n1,0.1,0.3\n");
   }
 
-  const std::string scene = ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml";
+  const std::string scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
   const std::string library = built("tests/plugins/misdeeds.so");
 
   /// How the program ends where the model does `deed`, "WHEN WHAT", to it.

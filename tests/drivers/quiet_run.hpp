@@ -10,13 +10,14 @@
 
 #include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers {
 
 /// `scene`: its path below configs/, without .yaml. `sets`: after those that keep it short and expect nothing.
 inline RunOptions quiet_run(const std::string& scene, const std::string& out, const std::vector<std::string>& sets) {
   RunOptions options;
-  options.scene = std::string(ASSAY_SOURCE_DIR) + "/configs/" + scene + ".yaml";
+  options.scene = tree_folder() + "/configs/" + scene + ".yaml";
   options.out = out;
   options.threads = 1;
   options.verbosity = Verbosity::quiet;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/tree_folder.hpp"
+
 namespace assay::drivers {
 
 /// A complete scene in few lines; `extra` is appended.
@@ -25,7 +27,7 @@ inline std::string homogeneous_text(const std::string& extra = {}) {
 /// Every scene under configs/; studies are none.
 inline std::vector<std::string> all_configs() {
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(ASSAY_SOURCE_DIR "/configs")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(tree_folder() + "/configs")) {
     const std::string extension = entry.path().extension().string();
     const std::string folder = entry.path().parent_path().filename().string();
     if (folder == "studies" || folder == "paths") continue;  // no scenes

@@ -14,6 +14,7 @@
 #include "tests/adapters/foreign/component_faults.h"
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_component_faults {
 namespace {
@@ -24,7 +25,7 @@ constexpr Fault all_faults[] = {swapped_13_23,   doubled_23,         halved_13, 
                                 exchanged_22_33, five_percent_in_23, five_percent_in_33};
 constexpr double stands_out = 3;  ///< error with a fault over that without one, at least; 3.2 is the least measured
 
-std::string file_of(const std::string& scene) { return std::string(ASSAY_SOURCE_DIR) + "/configs/" + scene + ".yaml"; }
+std::string file_of(const std::string& scene) { return tree_folder() + "/configs/" + scene + ".yaml"; }
 
 /// Neo-Hookean elasticity with a mistake, by an interface.
 struct Interface {

@@ -11,6 +11,7 @@
 #include "harness/numeric/central_difference.hpp"
 #include "harness/numeric/tensor.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_eval_frames {
 namespace {
@@ -30,7 +31,7 @@ class Table {
   Table(const std::string& scene, const std::string& points, std::vector<std::string> sets) {
     const ScratchFolder scratch;
     EvalOptions options;
-    options.scene = std::string(ASSAY_SOURCE_DIR) + "/configs/" + scene + ".yaml";
+    options.scene = tree_folder() + "/configs/" + scene + ".yaml";
     options.points = scratch.write("points.csv", points);
     options.out = scratch / "exact.csv";
     options.sets = std::move(sets);

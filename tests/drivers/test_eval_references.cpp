@@ -14,12 +14,13 @@
 #include "drivers/text/numbers.hpp"
 #include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_eval_references {
 namespace {
 
 constexpr double digits = 3e-9;  ///< of the largest component of a field: 8 digits are promised
-const std::string folder = ASSAY_SOURCE_DIR "/tests/drivers/references/";
+const std::string folder = tree_folder() + "/tests/drivers/references/";
 
 std::vector<std::string> cases() {
   std::vector<std::string> names;

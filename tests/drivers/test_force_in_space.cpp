@@ -11,6 +11,7 @@
 #include "drivers/simulation/response_source.hpp"
 #include "harness/motion/kinds/vortex3d.hpp"
 #include "mpm/simulation.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_force_in_space {
 namespace {
@@ -41,9 +42,8 @@ void plant(std::vector<mpm::Pass<3>>& passes, const Vector3& left_out) {
 /// A scene of configs/space, and what it expects.
 struct Ball {
   explicit Ball(const std::string& name)
-      : problem(assemble<3>(
-            read_scene(std::string(ASSAY_SOURCE_DIR) + "/configs/space/" + name + ".yaml", {"output.accounts=false"}),
-            1)) {
+      : problem(
+            assemble<3>(read_scene(tree_folder() + "/configs/space/" + name + ".yaml", {"output.accounts=false"}), 1)) {
     exact = exact_solution_of(problem.scene, problem.material, problem.scene.time.end);
     problem.setup.exact = exact;
     axis = problem.scene.motion.as<Vortex3d>()->one.axis.normalized();

@@ -14,6 +14,7 @@
 #include "tests/drivers/material/fortran_texts.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 #include "tests/support/wait.hpp"
 
 namespace assay::drivers::test_foreign_models {
@@ -21,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string configs = ASSAY_SOURCE_DIR "/configs/foreign/";
-const std::string descriptions = ASSAY_SOURCE_DIR "/tests/adapters/foreign/";
+const std::string configs = tree_folder() + "/configs/foreign/";
+const std::string descriptions = tree_folder() + "/tests/adapters/foreign/";
 const std::string doubles = built("tests/foreign/");
 
 /// The program, where the scenes' models are found.

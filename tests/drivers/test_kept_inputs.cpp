@@ -8,6 +8,7 @@
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_kept_inputs {
 namespace {
@@ -56,7 +57,7 @@ TEST_F(KeptInputs, AreNotReplacedByAFile) {
 }
 
 TEST_F(KeptInputs, ASourceIsNotReplaced) {
-  fs::copy(ASSAY_SOURCE_DIR "/configs/umat/j2_kinematic.f", scratch_ / "m.f");
+  fs::copy(tree_folder() + "/configs/umat/j2_kinematic.f", scratch_ / "m.f");
   refuses({"check", "m.f", "--props", "210e3,.3,250,1e3", "--statev", "12", "-o", "out", "--json", "m.f"}, "m.f",
           "would replace an input of that name");
 }

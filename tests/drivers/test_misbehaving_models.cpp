@@ -7,6 +7,7 @@
 
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_misbehaving_models {
 namespace {
@@ -82,7 +83,7 @@ class MisbehavingModel : public testing::TestWithParam<Misbehaviour> {
   }
 
   std::vector<std::string> run_words() const {
-    return {"run",   std::string(ASSAY_SOURCE_DIR) + "/configs/foreign/vortex_umat.yaml",
+    return {"run",   tree_folder() + "/configs/foreign/vortex_umat.yaml",
             "-o",    scratch_ / "out",
             "--set", "material={adapter: " + model_ + "}",
             "--set", "force.tolerance=1e-4",

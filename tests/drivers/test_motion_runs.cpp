@@ -13,11 +13,12 @@
 #include "harness/numeric/norms.hpp"
 #include "mpm/simulation.hpp"
 #include "mpm/step/surface_loads.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_motion_runs {
 namespace {
 
-const std::string motions = std::string(ASSAY_SOURCE_DIR) + "/configs/motions/";
+const std::string motions = tree_folder() + "/configs/motions/";
 constexpr double least_order = 1.9;   ///< of methods of second order, on the finer grids
 constexpr double first_order = 1.15;  ///< that a run without defect has at least between the coarsest grids
 constexpr double stalls = 0.7;        ///< of a defect: what halving h leaves of the error, at least

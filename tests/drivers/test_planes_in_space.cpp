@@ -7,13 +7,14 @@
 
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_planes_in_space {
 namespace {
 
 nlohmann::json result_of(const std::vector<std::string>& sets) {
   const ScratchFolder scratch;
-  std::vector<std::string> words{"run", ASSAY_SOURCE_DIR "/configs/space/between_planes.yaml", "--quiet", "-o",
+  std::vector<std::string> words{"run", tree_folder() + "/configs/space/between_planes.yaml", "--quiet", "-o",
                                  scratch / "out"};
   for (const std::string& set : sets) words.insert(words.end(), {"--set", set});
   const Ending ending = assay(words);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "tests/drivers/misdeeds.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_shortage {
 namespace {
@@ -131,7 +132,7 @@ TEST(ProcessorTime, ThatIsLimitedIsNoVerdict) {
 TEST(ProcessorTime, OfTheCasesOfAStudyIsNoFinding) {
   const ScratchFolder scratch;
   const std::string study = scratch.write(
-      "study.yaml", "scene: " ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml\naxes:\n  grid.spacing: [0.01]\n");
+      "study.yaml", "scene: " + tree_folder() + "/configs/paper/vortex_cpdi.yaml\naxes:\n  grid.spacing: [0.01]\n");
   for (const bool hard : {false, true}) {
     const Ending ending = assay({"study", study, "-o", scratch / "out"}, [&] {
       const rlimit limit{1, hard ? 1 : RLIM_INFINITY};
@@ -174,7 +175,7 @@ TEST(OpenFiles, OfWhichThereAreTooFewAreNoPass) {
 TEST(OpenFiles, OfWhichThereAreTooFewAreNoRun) {
   for (const rlim_t most : {7, 16}) {
     const ScratchFolder scratch;
-    const std::string scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
+    const std::string scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
     const Ending ending =
         assay({"run", scene, "--set", "grid.spacing=0.125", "--set", "expect={}", "-o", scratch / "r"}, [&] {
           const rlimit limit{most, most};

@@ -9,6 +9,7 @@
 #include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/quiet_run.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_time_accounts {
 namespace {
@@ -66,7 +67,7 @@ TEST(TimeAccounts, OfARunThatComesToNoStepAllIsSetUp) {
 TEST(TimeAccounts, ATabulationIsNamedAsAWhole) {
   const ScratchFolder scratch;
   TabulateOptions options;
-  options.scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/tabulate_neo_hookean.yaml";
+  options.scene = tree_folder() + "/configs/paper/tabulate_neo_hookean.yaml";
   options.out = scratch / "out";
   options.verbosity = Verbosity::quiet;
   const Accounts all = accounts_of(options.out, [&] { tabulate(options); });
@@ -78,7 +79,7 @@ TEST(TimeAccounts, ATabulationIsNamedAsAWhole) {
 
 TEST(TimeAccounts, TheTerminalSaysThem) {
   const ScratchFolder scratch;
-  const std::string scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
+  const std::string scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
   const Ending ran = assay({"run", scene, "-o", scratch / "run", "--set", "grid.spacing=0.25", "--set", "time.end=0.05",
                             "--set", "expect={}"});
   // The line breaks between its parts where it is longer than a terminal is wide.

@@ -9,16 +9,17 @@
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/simulation/simulate.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_traction {
 namespace {
 
 constexpr double rounding = 1e-12;        ///< [m], of E up to 1e6
 constexpr double stiff_rounding = 1e-11;  ///< of E = 1e9: what is left grows with the number of steps
-const std::string table1 = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/table1_traction.yaml";
-const std::string stretch = std::string(ASSAY_SOURCE_DIR) + "/configs/motions/rotating_stretch.yaml";
-const std::string cube = std::string(ASSAY_SOURCE_DIR) + "/configs/space/homogeneous.yaml";
-const std::string stretch_in_space = std::string(ASSAY_SOURCE_DIR) + "/configs/space/rotating_stretch.yaml";
+const std::string table1 = tree_folder() + "/configs/paper/table1_traction.yaml";
+const std::string stretch = tree_folder() + "/configs/motions/rotating_stretch.yaml";
+const std::string cube = tree_folder() + "/configs/space/homogeneous.yaml";
+const std::string stretch_in_space = tree_folder() + "/configs/space/rotating_stretch.yaml";
 
 /// Under the tractions of a material that is `stiffer` times as stiff.
 template <int Dim>

@@ -7,6 +7,7 @@
 
 #include "drivers/format/yaml_reader.hpp"
 #include "drivers/system/input_file.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::fuzz {
 
@@ -75,7 +76,7 @@ Mutants::Mutants(const std::vector<std::string>& scene_files, const std::vector<
 }
 
 Mutants mutants_of_the_tree() {
-  return {yaml_files(ASSAY_SOURCE_DIR "/tests/fuzz/scenes"), yaml_files(ASSAY_SOURCE_DIR "/configs/models")};
+  return {yaml_files(tree_folder() + "/tests/fuzz/scenes"), yaml_files(tree_folder() + "/configs/models")};
 }
 
 Mutant Mutants::at(int number) const {

@@ -13,6 +13,7 @@
 #include "tests/fuzz/composition.hpp"
 #include "tests/fuzz/mutants.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> seeds() {
   std::vector<std::string> texts;
   for (const char* folder : {"configs", "tests/fuzz/corpus", "tests/fuzz/scenes"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(ASSAY_SOURCE_DIR) / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(tree_folder()) / folder)) {
       if (!entry.is_regular_file()) continue;
       std::ifstream in(entry.path(), std::ios::binary);
       std::ostringstream text;
@@ -66,7 +67,7 @@ TEST(LongFuzzCorpus, MorePrefixes) {
 /// The bounds of the composition leave these scenes in: the prefixes above and the bytes below reach it.
 TEST(FuzzCorpus, ScenesOfFewParticlesAreComposed) {
   int composed = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(ASSAY_SOURCE_DIR) / "tests/fuzz/scenes")) {
+  for (const auto& entry : fs::directory_iterator(fs::path(tree_folder()) / "tests/fuzz/scenes")) {
     if (entry.path().extension() != ".yaml") continue;
     EXPECT_NO_THROW(assay::fuzz::compose_scene(assay::drivers::read_scene(entry.path().string()))) << entry.path();
     ++composed;
@@ -76,7 +77,7 @@ TEST(FuzzCorpus, ScenesOfFewParticlesAreComposed) {
 
 /// A negative control: more particles than the composition takes are refused before any is made.
 TEST(FuzzCorpus, ScenesOfManyParticlesAreRefused) {
-  const std::string scene = ASSAY_SOURCE_DIR "/tests/fuzz/scenes/vortex_cpdi.yaml";
+  const std::string scene = tree_folder() + "/tests/fuzz/scenes/vortex_cpdi.yaml";
   for (const char* spacing : {"grid.spacing=0.003", "grid.spacing=1e-200"}) {
     const auto large = assay::drivers::read_scene(scene, {spacing});
     EXPECT_THROW(assay::fuzz::compose_scene(large), assay::drivers::InputError) << spacing;

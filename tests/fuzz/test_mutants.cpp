@@ -12,6 +12,7 @@
 #include "tests/fuzz/mutants.hpp"
 #include "tests/fuzz/run_faults.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::fuzz::test_mutants {
 
@@ -19,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string sources = ASSAY_SOURCE_DIR "/tests/fuzz/scenes/";
+const std::string sources = tree_folder() + "/tests/fuzz/scenes/";
 const std::string program = built("assay");
 const std::string kept = built("mutants/");  ///< those that found a fault
 

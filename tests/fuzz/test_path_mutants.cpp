@@ -15,13 +15,14 @@
 #include "tests/fuzz/mutants.hpp"
 #include "tests/fuzz/run_faults.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::fuzz::test_path_mutants {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::string sources = ASSAY_SOURCE_DIR "/tests/fuzz/paths/";
+const std::string sources = tree_folder() + "/tests/fuzz/paths/";
 const std::string program = built("assay");
 const std::string kept = built("mutants/");
 

@@ -9,6 +9,7 @@
 
 #include "tests/house/tree.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::test_completions {
 namespace {
@@ -39,7 +40,7 @@ Words printed(const std::string& shell, const std::string& script) {
 
 bool is_there(const std::string& shell) { return std::system((shell + " -c : 2>/dev/null").c_str()) == 0; }
 
-std::string script(const std::string& name) { return ASSAY_SOURCE_DIR "/completions/" + name; }
+std::string script(const std::string& name) { return tree_folder() + "/completions/" + name; }
 
 /// What bash puts in place of the last word.
 Words completed_by_bash(const std::string& line) {
@@ -103,11 +104,11 @@ TEST(Completions, BashCompletes) {
   EXPECT_EQ(completed_by_bash("assay run --th"), Words{"--threads"});
   EXPECT_EQ(completed_by_bash("assay new-material --language c"), (Words{"c", "c++"}));
   EXPECT_EQ(completed_by_bash("assay check neo_h"), Words{"neo_hookean"});
-  const std::string scenes = ASSAY_SOURCE_DIR "/configs/paper/";
+  const std::string scenes = tree_folder() + "/configs/paper/";
   EXPECT_EQ(completed_by_bash("assay run " + scenes + "vortex_cpdi.y"), Words{scenes + "vortex_cpdi.yaml"});
   EXPECT_EQ(completed_by_bash("assay run -o " + scenes + "vortex_cpdi.y"), Words{""}) << "a folder is asked for";
-  EXPECT_EQ(completed_by_bash("assay run -o " ASSAY_SOURCE_DIR "/configs/pape"),
-            Words{ASSAY_SOURCE_DIR "/configs/paper"});
+  EXPECT_EQ(completed_by_bash("assay run -o " + tree_folder() + "/configs/pape"),
+            Words{tree_folder() + "/configs/paper"});
 }
 
 TEST(Completions, FishCompletes) {
@@ -120,7 +121,7 @@ TEST(Completions, FishCompletes) {
   EXPECT_EQ(completed("assay tab"), Words{"tabulate"});
   EXPECT_EQ(completed("assay run --th"), Words{"--threads"});
   EXPECT_EQ(completed("assay check neo_h"), Words{"neo_hookean"});
-  const std::string scenes = ASSAY_SOURCE_DIR "/configs/paper/";
+  const std::string scenes = tree_folder() + "/configs/paper/";
   EXPECT_EQ(completed("assay run " + scenes + "vortex_cpdi.y"), Words{scenes + "vortex_cpdi.yaml"});
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "tests/house/tree.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::test_purposes {
 namespace {
@@ -21,7 +22,7 @@ TEST(Purposes, EachSourceSaysWhatItIsFor) {
     for (const std::string& path : house::files_in(floor, {".cpp"}, true)) {
       if (path.starts_with("mpm/effects/")) continue;  // the record says it, and `assay explain` shows it
       const std::string header = std::filesystem::path(path).replace_extension(".hpp");
-      const bool has_header = std::filesystem::exists(std::filesystem::path(ASSAY_SOURCE_DIR) / header);
+      const bool has_header = std::filesystem::exists(std::filesystem::path(tree_folder()) / header);
       EXPECT_TRUE(says_its_purpose(house::text_of(path)) || (has_header && says_its_purpose(house::text_of(header))))
           << path;
       ++seen;

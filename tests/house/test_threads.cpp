@@ -8,6 +8,7 @@
 
 #include "tests/house/tree.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::test_threads {
 namespace {
@@ -21,7 +22,7 @@ std::string errors_of_run(const std::string& scene, int run, const std::string& 
   const fs::path folder = fs::path(built()) / "tests" / ("threads_" + test + std::to_string(run));
   fs::remove_all(folder);
   const Outcome outcome = run_assay(
-      "run '" ASSAY_SOURCE_DIR "/" + scene + "' -o '" + folder.string() +
+      "run '" + tree_folder() + "/" + scene + "' -o '" + folder.string() +
       "' --threads 4 --quiet --set time.end=0.02 --set expect={} --set 'output={errors: 4, particles: 1}'" + more);
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   std::ifstream in(folder / "errors.csv", std::ios::binary);

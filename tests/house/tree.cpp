@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::house {
 
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path& root() {
-  static const fs::path path{ASSAY_SOURCE_DIR};
+  static const fs::path path{tree_folder()};
   return path;
 }
 

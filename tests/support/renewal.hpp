@@ -11,16 +11,17 @@
 #include <string>
 
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay {
 
 inline bool renews() { return std::getenv("ASSAY_RENEW") != nullptr; }
 
-inline std::string text_of_tree(const std::string& path) { return drivers::bytes_of(ASSAY_SOURCE_DIR "/" + path); }
+inline std::string text_of_tree(const std::string& path) { return drivers::bytes_of(tree_folder() + "/" + path); }
 
 /// The file, path from the root, is `text`.
 inline void expect_file(const std::string& path, const std::string& text) {
-  if (renews()) std::ofstream(ASSAY_SOURCE_DIR "/" + path, std::ios::binary) << text;
+  if (renews()) std::ofstream(tree_folder() + "/" + path, std::ios::binary) << text;
   EXPECT_TRUE(text_of_tree(path) == text) << path << " is out of date: ./dev renew writes it anew";
 }
 
@@ -39,7 +40,7 @@ inline std::string with_table(const std::string& page, const std::string& head, 
 /// The page has this text, which ends with a table; `head` is a pattern of how its first line begins on the page.
 inline void expect_table(const std::string& path, const std::string& head, const std::string& text) {
   const std::string renewed = with_table(text_of_tree(path), head, text);
-  if (renews()) std::ofstream(ASSAY_SOURCE_DIR "/" + path, std::ios::binary) << renewed;
+  if (renews()) std::ofstream(tree_folder() + "/" + path, std::ios::binary) << renewed;
   EXPECT_NE(text_of_tree(path).find(text), std::string::npos) << path << " is to hold this (./dev renew):\n" << text;
 }
 

@@ -21,7 +21,7 @@ Json scalar() { return {{"type", Json::array({"string", "number", "boolean"})}};
 Json list_of(const Json& items) { return {{"type", "array"}, {"items", items}, {"minItems", 1}}; }
 
 /// No pattern: names may be numbers.
-Json map_of(const Json& values) {
+Json map_schema(const Json& values) {
   return {{"type", "object"}, {"additionalProperties", values}, {"properties", {{merge_name, Json::object()}}}};
 }
 
@@ -62,16 +62,16 @@ Json selection() {
   const Json pair{{"type", "array"}, {"items", number()}, {"minItems", 2}, {"maxItems", 2}};
   Json operators = object({{"not", values}, {"below", number()}, {"above", number()}, {"between", pair}});
   operators["minProperties"] = operators["maxProperties"] = 1;
-  return map_of({{"anyOf", Json::array({scalar(), list_of(scalar()), operators})}});
+  return map_schema({{"anyOf", Json::array({scalar(), list_of(scalar()), operators})}});
 }
 
 Json axes() {
   const Json truth{{"type", "boolean"}};
   Json span = object({{"from", number()}, {"to", number()}, {"log", truth}, {"whole", truth}}, {"from", "to"});
-  Json levels = map_of(settings());
+  Json levels = map_schema(settings());
   levels["minProperties"] = span["minProperties"] = 1;
   const Json values{{"type", "array"}, {"minItems", 1}};
-  return map_of({{"anyOf", Json::array({values, span, levels})}});
+  return map_schema({{"anyOf", Json::array({values, span, levels})}});
 }
 
 Json sampling() {
@@ -87,7 +87,7 @@ Json timing() {
 }
 
 Json budget() {
-  Json out = map_of(settings());
+  Json out = map_schema(settings());
   out["properties"]["of"] = selection();
   return out;
 }
@@ -124,7 +124,7 @@ std::string study_schema_json() {
   add("set", settings(), "settings of every case");
   add("axes", axes(), "values of a key, named levels of several settings, or a span of a Latin hypercube");
   add("sampling", sampling(), "which cases; default: product");
-  add("cases", list_of(map_of(Json::object())), "of sampling: list, axes to values");
+  add("cases", list_of(map_schema(Json::object())), "of sampling: list, axes to values");
   add("exclude", list_of(selection()), "cases that are left out");
   add("not_applicable", list_of(object({{"where", selection()}, {"because", text()}}, {"where", "because"})),
       "cases that would say nothing, and why: n/a");

@@ -90,8 +90,8 @@ inline Tensor tensor_of(const double* nine_components) {
 }
 
 /// One step of one point. Throws std::runtime_error where the material fails.
-inline Point stepped(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
-                     const std::vector<double>& state0) {
+inline Point point_after(const Material& material, double t, double dt, const Tensor& F0, const Tensor& F1,
+                         const std::vector<double>& state0) {
   double f0[9], f1[9], sigma[9];
   nine(F0, f0), nine(F1, f1);
   Point end{Tensor::Zero(), std::vector<double>(state0.size())};
@@ -106,7 +106,7 @@ inline Point marched(const Material& material, const std::function<Tensor(double
   Point now{Tensor::Zero(), material.initial_state(1)};
   for (int i = 0; i < steps; ++i) {
     const double t0 = end * i / steps, t1 = end * (i + 1) / steps;
-    now = stepped(material, t0, t1 - t0, F(t0), F(t1), now.state);
+    now = point_after(material, t0, t1 - t0, F(t0), F(t1), now.state);
   }
   return now;
 }

@@ -33,7 +33,7 @@ inline void expect_initial_stress(const std::string& model) {
   double components[9];
   nine(sigma, components);
   const auto state = material.initial_state(1, components);
-  const Tensor found = stepped(material, 0, 1, Tensor::Identity(), Tensor::Identity(), state).cauchy;
+  const Tensor found = point_after(material, 0, 1, Tensor::Identity(), Tensor::Identity(), state).cauchy;
   EXPECT_LT(difference(found, sigma), 1e-11 * 300) << model;
   components[1] = components[3] = 12;
   EXPECT_THROW(material.initial_state(1, components), std::runtime_error) << model;

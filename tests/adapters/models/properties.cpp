@@ -40,7 +40,7 @@ std::vector<double> tangent_by_differences(const Material& material, const Sampl
     const auto stress = [&](double change) {
       Tensor F = s.F1;
       F(j / 3, j % 3) += change;
-      return stepped(material, s.t, s.dt, s.F0, F, s.state0).cauchy;
+      return point_after(material, s.t, s.dt, s.F0, F, s.state0).cauchy;
     };
     const Tensor slope = (8 * (stress(h) - stress(-h)) - (stress(2 * h) - stress(-2 * h))) / (12 * h);
     for (int i = 0; i < 9; ++i) tangent[static_cast<std::size_t>(9 * i + j)] = slope(i / 3, i % 3);
@@ -68,7 +68,7 @@ Measured rate_error(const Material& material) {
     }
     // Forward differences over h, h/2, h/4, h/8, extrapolated: their error is of fourth order.
     const auto quotient = [&](double dt) {
-      const Point end = stepped(material, t, dt, F, F + dt * s.F_rate, s.end.state);
+      const Point end = point_after(material, t, dt, F, F + dt * s.F_rate, s.end.state);
       std::vector<double> state(end.state.size());
       for (std::size_t c = 0; c < state.size(); ++c) state[c] = (end.state[c] - s.end.state[c]) / dt;
       double rate[9];
@@ -134,7 +134,7 @@ Measured energy_error(const Material& material) {
   if (!form) return measured;
   for (const Sample& s : samples_of(material)) {
     // Held for a moment: what remains of the stress is elastic.
-    const Point held = stepped(material, s.t + s.dt, 1e-3 * s.dt, s.F1, s.F1, s.end.state);
+    const Point held = point_after(material, s.t + s.dt, 1e-3 * s.dt, s.F1, s.F1, s.end.state);
     const auto energy = [&](int j, double change) {
       double f[9], W = 0;
       nine(s.F1, f);

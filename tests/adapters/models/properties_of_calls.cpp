@@ -57,7 +57,7 @@ Measured impurity(const Material& material) {
   const auto same = [](double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; };
   for (std::size_t p = 0; p < n; ++p) {
     for (int repeat = 0; repeat < 2; ++repeat) {
-      const Point alone = stepped(material, 0, samples[0].dt, samples[p].F0, samples[p].F1, samples[p].state0);
+      const Point alone = point_after(material, 0, samples[0].dt, samples[p].F0, samples[p].F1, samples[p].state0);
       double nine_components[9];
       nine(alone.cauchy, nine_components);
       bool equal = true;
@@ -107,7 +107,7 @@ Measured closed_form_slope_error(const Material& material) {
 Measured rest_error(const Material& material) {
   Measured measured;
   const Tensor F = Tensor::Identity();
-  const Point rest = stepped(material, 0, 0.1, F, F, material.initial_state(1));
+  const Point rest = point_after(material, 0, 0.1, F, F, material.initial_state(1));
   measured.add(rest.cauchy.norm() / stress_floor(material));
   return measured;
 }
@@ -131,7 +131,7 @@ Measured regime_error(const Material& material) {
     return F;
   };
   const auto step = [&](double from, double to, const std::vector<double>& state) {
-    return stepped(material, 0, 1e-2, sheared(from), sheared(to), state).state;
+    return point_after(material, 0, 1e-2, sheared(from), sheared(to), state).state;
   };
   const std::vector<double> fresh = material.initial_state(1);
   const std::vector<double> elastic = step(0, 1e-4, fresh), loaded = step(1e-4, 0.3, elastic);
@@ -140,7 +140,7 @@ Measured regime_error(const Material& material) {
   std::vector<double> relaxed = loaded;  // a rate-dependent model comes back to its threshold first
   double dt = 1e-3;
   for (int i = 0; i < 160 && material.has(ASSAY_RATE_DEPENDENT); ++i, dt *= 1.06) {
-    relaxed = stepped(material, 0, dt, sheared(0.3), sheared(0.3), relaxed).state;
+    relaxed = point_after(material, 0, dt, sheared(0.3), sheared(0.3), relaxed).state;
   }
   const std::vector<double> unloaded = step(0.295, 0.29, step(0.3, 0.295, relaxed));  // the first ends the flow
   const std::vector<double> further = step(0.29, 0.285, unloaded);  // a variable that names the regime is back by now

@@ -25,7 +25,7 @@ inline std::vector<Sample> samples_of(const Material& material) {
     for (int i = 0; i < steps; ++i) {
       const double t0 = history.end * i / steps, t1 = history.end * (i + 1) / steps;
       Sample sample{t0, t1 - t0, history.F(t0), history.F(t1), history.F_rate(t1), now.state, {}};
-      now = sample.end = stepped(material, t0, t1 - t0, sample.F0, sample.F1, now.state);
+      now = sample.end = point_after(material, t0, t1 - t0, sample.F0, sample.F1, now.state);
       if (i % 7 == 3) samples.push_back(sample);
     }
   }
@@ -36,7 +36,7 @@ inline std::vector<Sample> samples_of(const Material& material) {
 inline double stress_floor(const Material& material) {
   Tensor F = Tensor::Identity();
   F(0, 0) = 1.01;
-  const Point end = stepped(material, 0, 1, Tensor::Identity(), F, material.initial_state(1));
+  const Point end = point_after(material, 0, 1, Tensor::Identity(), F, material.initial_state(1));
   return 0.1 * end.cauchy.cwiseAbs().maxCoeff();
 }
 

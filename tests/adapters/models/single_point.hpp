@@ -16,7 +16,7 @@ inline Point at_rest(const Material& material) { return {Tensor::Zero(), materia
 inline Point march(const Material& material, const Path& F, double t0, double t1, int n, Point from) {
   const double dt = (t1 - t0) / n;
   for (int k = 0; k < n; ++k) {
-    from = stepped(material, t0 + k * dt, dt, F(t0 + k * dt), F(t0 + (k + 1) * dt), from.state);
+    from = point_after(material, t0 + k * dt, dt, F(t0 + k * dt), F(t0 + (k + 1) * dt), from.state);
   }
   return from;
 }
@@ -63,7 +63,8 @@ inline double tangent_error(const Material& material, double dt, const Tensor& F
     component(up, j) += h;
     component(down, j) -= h;
     const Tensor slope =
-        (stepped(material, 0, dt, F0, up, state).cauchy - stepped(material, 0, dt, F0, down, state).cauchy) / (2 * h);
+        (point_after(material, 0, dt, F0, up, state).cauchy - point_after(material, 0, dt, F0, down, state).cauchy) /
+        (2 * h);
     for (int i = 0; i < 9; ++i) {
       difference = std::max(difference, std::abs(component(slope, i) - tangent[static_cast<std::size_t>(9 * i + j)]));
       scale = std::max(scale, std::abs(component(slope, i)));
@@ -156,7 +157,7 @@ inline std::pair<double, double> closed_form_errors(const Material& material, in
   const Tensor tau = form(eps, slope);
   if (largest(tau) >= 1e300) return {1e300, 1e300};
   const Tensor P =
-      first_piola_kirchhoff(stepped(material, 0, 1, Tensor::Identity(), F, material.initial_state(1)).cauchy, F);
+      first_piola_kirchhoff(point_after(material, 0, 1, Tensor::Identity(), F, material.initial_state(1)).cauchy, F);
   const double h = 1e-4;
   const Tensor differences =
       (8 * (form(eps + h, unused) - form(eps - h, unused)) - (form(eps + 2 * h, unused) - form(eps - 2 * h, unused))) /
@@ -166,7 +167,7 @@ inline std::pair<double, double> closed_form_errors(const Material& material, in
 
 /// One step from rest without state.
 inline Point deformed(const Material& material, const Tensor& F) {
-  return stepped(material, 0, 1, Tensor::Identity(), F, material.initial_state(1));
+  return point_after(material, 0, 1, Tensor::Identity(), F, material.initial_state(1));
 }
 
 /// The stress is the derivative of the energy, the tangent that of the stress, both objective; errors of 1e-4 are seen.

@@ -23,7 +23,7 @@ Tensor exact(double t, double viscosity, double bulk_viscosity, double exponent)
 }
 
 Tensor one_step(const Material& material, double t, double dt) {
-  return stepped(material, t - dt, dt, moving(t - dt), moving(t), {}).cauchy;
+  return point_after(material, t - dt, dt, moving(t - dt), moving(t), {}).cauchy;
 }
 
 TEST(CompressibleFluid, ConvergesToTheNewtonianStressAtFirstOrder) {
@@ -44,8 +44,8 @@ TEST(CompressibleFluid, ConvergesToTheNewtonianStressAtFirstOrder) {
 TEST(CompressibleFluid, ATurningFluidFeelsNoViscosity) {
   const Material material = fluid(300, 200, 1);
   const Tensor I = Tensor::Identity(), turn = Eigen::AngleAxisd(0.9, Vector3(1, 2, 3).normalized()).toRotationMatrix();
-  EXPECT_LT(largest(stepped(material, 0, 1e-3, I, turn, {}).cauchy), 1e-8);
-  EXPECT_EQ(largest(stepped(material, 0, 1e-3, I, I, {}).cauchy), 0);
+  EXPECT_LT(largest(point_after(material, 0, 1e-3, I, turn, {}).cauchy), 1e-8);
+  EXPECT_EQ(largest(point_after(material, 0, 1e-3, I, I, {}).cauchy), 0);
   EXPECT_LT(objectivity_error(material, moving, 0.9, 50), 1e-11);
 }
 
@@ -53,7 +53,7 @@ TEST(CompressibleFluid, EnergyTangentAndSound) {
   for (const double exponent : {1.0, 7.0}) {
     const Material still = fluid(0, 0, exponent), viscous = fluid(300, 200, exponent);
     const Tensor F = moving(0.8);
-    Point point = stepped(still, 0, 1, F, F, {});
+    Point point = point_after(still, 0, 1, F, F, {});
     EXPECT_LT(energy_error(still, F, point), 1e-9);
     EXPECT_LT(tangent_error(still, 1, F, F, {}), 1e-6);
     EXPECT_LT(tangent_error(viscous, 0.02, moving(0.78), F, {}), 1e-6);

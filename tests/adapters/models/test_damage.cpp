@@ -57,10 +57,10 @@ TEST(Damage, KappaKeepsItsBitsUntilTheEnergyExceedsIt) {
   const Material material = damage();
   const Point rest = at_rest(material);
   EXPECT_EQ(rest.state[0], kappa_0);
-  EXPECT_EQ(stepped(material, 0, 1, Tensor::Identity(), sheared(0.05), rest.state).state, rest.state);
-  const Point loaded = stepped(material, 0, 1, Tensor::Identity(), sheared(0.5), rest.state);
+  EXPECT_EQ(point_after(material, 0, 1, Tensor::Identity(), sheared(0.05), rest.state).state, rest.state);
+  const Point loaded = point_after(material, 0, 1, Tensor::Identity(), sheared(0.5), rest.state);
   EXPECT_EQ(loaded.state[0], undamaged_energy(constants, sheared(0.5)));
-  EXPECT_EQ(stepped(material, 1, 1, sheared(0.5), sheared(0.49), loaded.state).state, loaded.state);
+  EXPECT_EQ(point_after(material, 1, 1, sheared(0.5), sheared(0.49), loaded.state).state, loaded.state);
 }
 
 TEST(Damage, RateIntegratesToTheUpdate) {

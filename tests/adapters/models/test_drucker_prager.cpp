@@ -83,7 +83,7 @@ TEST(DruckerPrager, RateIntegratesToTheEquationsFromTheYieldPoint) {
     const Material material = cone(c.constants);
     const Reference exact = reference(c.constants, c.path, {1});
     const double begin = exact.yields[0];
-    Point yielding = stepped(material, 0, begin, Tensor::Identity(), c.path(begin), material.initial_state(1));
+    Point yielding = point_after(material, 0, begin, Tensor::Identity(), c.path(begin), material.initial_state(1));
     ASSERT_EQ(yielding.state[6], 0);
     const Point found = integrate_rate(material, c.path, yielding, begin, 0.9);
     const Point increments = march(material, c.path, begin, 0.9, 4000, yielding);
@@ -109,10 +109,10 @@ TEST(DruckerPrager, ApexCarriesItsPressureOnly) {
     EXPECT_NEAR(found.state[7] + 3 * c.dilatancy * root3 * found.state[6], ln_J - volume, 1e-12);
     EXPECT_GT(found.state[7], 0.1);
     EXPECT_LT(largest(found.cauchy * pulled(1).determinant() - k / (3 * c.friction) * Tensor::Identity()), 1e-10);
-    const Point further = stepped(material, 1, 0.1, pulled(1), pulled(1.1), found.state);
+    const Point further = point_after(material, 1, 0.1, pulled(1), pulled(1.1), found.state);
     EXPECT_EQ(further.state[6], found.state[6]);  // the apex alone
     EXPECT_NE(further.state[7], found.state[7]);
-    const Point pressed = stepped(material, 1, 0.1, pulled(1), Tensor(0.999 * pulled(1)), found.state);
+    const Point pressed = point_after(material, 1, 0.1, pulled(1), Tensor(0.999 * pulled(1)), found.state);
     EXPECT_EQ(pressed.state, found.state);
     const Point rate = integrate_rate(material, pulled, found, 1, 1.5);
     const Point increments = march(material, pulled, 1, 1.5, 10, found);
@@ -126,13 +126,13 @@ TEST(DruckerPrager, TheReturnIsContinuousWhereConeAndApexMeet) {
   const Tensor I = Tensor::Identity();
   const auto stretched = [&](double shear) { return Tensor(sheared(shear) * Tensor(1.05 * I)); };
   const auto at_apex = [&](double shear) {
-    return stepped(material, 0, 1, stretched(shear), stretched(shear), material.initial_state(1)).state[7] > 0;
+    return point_after(material, 0, 1, stretched(shear), stretched(shear), material.initial_state(1)).state[7] > 0;
   };
   double low = 0, high = 2;
   ASSERT_TRUE(at_apex(low) && !at_apex(high));
   for (int k = 0; k < 50; ++k) (at_apex(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
   const auto end = [&](double shear) {
-    return stepped(material, 0, 1, stretched(shear), stretched(shear), material.initial_state(1)).cauchy;
+    return point_after(material, 0, 1, stretched(shear), stretched(shear), material.initial_state(1)).cauchy;
   };
   EXPECT_LT(largest(end(high) - end(low)), 1e-9);
 }
@@ -164,7 +164,7 @@ TEST(DruckerPrager, StartsUnderAStressInsideTheCone) {
   sigma << -40, 3, 1, 3, -35, 2, 1, 2, -45;
   const auto nine = components_of(sigma);
   const Tensor I = Tensor::Identity();
-  const Point rest = stepped(material, 0, 1, I, I, material.initial_state(1, nine));
+  const Point rest = point_after(material, 0, 1, I, I, material.initial_state(1, nine));
   EXPECT_LT(largest(rest.cauchy - sigma), 1e-12 * 45);
   const auto pulling = components_of(Tensor(100 * I));
   EXPECT_THROW(material.initial_state(1, pulling), std::runtime_error);

@@ -37,9 +37,9 @@ TEST(J2Multiplicative, ElasticStepsLeaveTheStateAlone) {
   const Material material = material_of("j2_multiplicative", hardenings[1].parameters());
   const Tensor F0 = histories[1].F(0.5);
   const Point loaded = marched(material, histories[1].F, 0.5, 50);
-  const Point turned = stepped(material, 0.5, 0.1, F0, turn(3.1) * F0, loaded.state);
+  const Point turned = point_after(material, 0.5, 0.1, F0, turn(3.1) * F0, loaded.state);
   EXPECT_EQ(turned.state, loaded.state);
-  const Point swollen = stepped(material, 0.5, 0.1, F0, turn(3.1) * F0 * 1.2, loaded.state);
+  const Point swollen = point_after(material, 0.5, 0.1, F0, turn(3.1) * F0 * 1.2, loaded.state);
   EXPECT_EQ(swollen.state, loaded.state);
 }
 

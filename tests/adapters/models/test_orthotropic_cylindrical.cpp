@@ -20,7 +20,7 @@ std::vector<double> along(double angle) { return {std::cos(angle), std::sin(angl
 
 /// Second Piola-Kirchhoff stress.
 Tensor stress(const Material& material, const Tensor& F, const std::vector<double>& direction) {
-  return F.inverse() * first_piola_kirchhoff(stepped(material, 0, 1, F, F, direction).cauchy, F);
+  return F.inverse() * first_piola_kirchhoff(point_after(material, 0, 1, F, F, direction).cauchy, F);
 }
 
 TEST(OrthotropicCylindrical, EngineeringConstantsInEachAxis) {
@@ -47,8 +47,8 @@ TEST(OrthotropicCylindrical, EngineeringConstantsInEachAxis) {
 TEST(OrthotropicCylindrical, TurningBodyAndDirectionAboutE3TurnsTheStress) {
   const Material material = orthotropic();
   const Tensor F = stretched_and_turned(0.9, 0.5), Q = rotation_about_z(1.1);
-  const Tensor plain = stepped(material, 0, 1, F, F, along(0.3)).cauchy;
-  const Tensor turned = stepped(material, 0, 1, F, Q * F * Q.transpose(), along(1.4)).cauchy;
+  const Tensor plain = point_after(material, 0, 1, F, F, along(0.3)).cauchy;
+  const Tensor turned = point_after(material, 0, 1, F, Q * F * Q.transpose(), along(1.4)).cauchy;
   EXPECT_LT(largest(Q.transpose() * turned * Q - plain), 1e-12 * largest(plain));
   EXPECT_LT(objectivity_error(
                 material, [](double t) { return stretched_and_turned(t, 0.5); }, 0.9, 3),
@@ -58,7 +58,7 @@ TEST(OrthotropicCylindrical, TurningBodyAndDirectionAboutE3TurnsTheStress) {
 TEST(OrthotropicCylindrical, EnergyAndTangent) {
   const Material material = orthotropic();
   const Tensor F = stretched_and_turned(0.9, 0.5);
-  Point point = stepped(material, 0, 1, F, F, along(0.7));
+  Point point = point_after(material, 0, 1, F, F, along(0.7));
   EXPECT_EQ(point.state, along(0.7));
   EXPECT_LT(energy_error(material, F, point), 1e-10);
   EXPECT_LT(tangent_error(material, 1, F, F, point.state), 1e-6);
@@ -91,8 +91,8 @@ TEST(OrthotropicCylindrical, IsotropicConstantsGiveSaintVenantKirchhoff) {
                                          {"G_rz", G},
                                          {"G_tz", G}});
   const Tensor F = stretched_and_turned(0.9, 0.5);
-  const Tensor expected = stepped(isotropic, 0, 1, F, F, {}).cauchy;
-  EXPECT_LT(largest(stepped(material, 0, 1, F, F, along(0.7)).cauchy - expected), 1e-12 * largest(expected));
+  const Tensor expected = point_after(isotropic, 0, 1, F, F, {}).cauchy;
+  EXPECT_LT(largest(point_after(material, 0, 1, F, F, along(0.7)).cauchy - expected), 1e-12 * largest(expected));
 }
 
 TEST(OrthotropicCylindrical, ConstantsThatStoreNoEnergyAreRefusedByName) {
@@ -115,9 +115,9 @@ TEST(OrthotropicCylindrical, ConstantsThatStoreNoEnergyAreRefusedByName) {
 TEST(OrthotropicCylindrical, ADirectionOutOfThePlaneFails) {
   const Material material = orthotropic();
   const Tensor F = sheared(0.1);
-  EXPECT_THROW(stepped(material, 0, 1, F, F, {0, 0, 1}), std::runtime_error);
-  EXPECT_THROW(stepped(material, 0, 1, F, F, {1.1, 0, 0}), std::runtime_error);
-  EXPECT_NO_THROW(stepped(material, 0, 1, F, F, {-1, 0, 0}));
+  EXPECT_THROW(point_after(material, 0, 1, F, F, {0, 0, 1}), std::runtime_error);
+  EXPECT_THROW(point_after(material, 0, 1, F, F, {1.1, 0, 0}), std::runtime_error);
+  EXPECT_NO_THROW(point_after(material, 0, 1, F, F, {-1, 0, 0}));
 }
 
 }  // namespace

@@ -114,10 +114,10 @@ TEST(Viscoplastic, BelowTheThresholdTheStateKeepsItsBits) {
   F1(1, 0) *= back;
   const Point relaxed = march(
       material, [&](double) { return F0; }, 0, 100, 400, loaded);
-  const Point elastic = stepped(material, 0, 0.01, F0, F1, relaxed.state);
+  const Point elastic = point_after(material, 0, 0.01, F0, F1, relaxed.state);
   EXPECT_EQ(relaxed.state[7], 1);
   EXPECT_EQ(elastic.state[7], 2);
-  EXPECT_EQ(stepped(material, 0, 0.01, F1, 0.99 * F1, elastic.state).state[7], 0);
+  EXPECT_EQ(point_after(material, 0, 0.01, F1, 0.99 * F1, elastic.state).state[7], 0);
   EXPECT_EQ(std::vector(elastic.state.begin(), elastic.state.begin() + 7),
             std::vector(relaxed.state.begin(), relaxed.state.begin() + 7));
   EXPECT_NE(loaded.state[6], relaxed.state[6]);
@@ -134,7 +134,7 @@ TEST(Viscoplastic, StiffStepsRelaxAndDoNotGrow) {
       Point point = at_rest(material);
       double before = 1e300;
       for (int k = 0; k < 20; ++k) {
-        point = stepped(material, 0, 1, sheared(k == 0 ? 0 : 0.3), sheared(0.3), point.state);
+        point = point_after(material, 0, 1, sheared(k == 0 ? 0 : 0.3), sheared(0.3), point.state);
         const double size = deviator_of(point.cauchy).norm();
         EXPECT_LE(size, before * (1 + 1e-12)) << exponent << ' ' << rate << ' ' << k;
         before = size;
@@ -151,7 +151,7 @@ TEST(Viscoplastic, AJumpRelaxesWithinAStepWithoutOvershoot) {
     Constants stiff = c;
     stiff.rate = 1e12;
     const Material material = c.yield_stress > 0 ? perzyna(stiff) : norton(stiff);
-    const Point jumped = stepped(material, 0, 1, sheared(0.3), sheared(0.3), material.initial_state(1));
+    const Point jumped = point_after(material, 0, 1, sheared(0.3), sheared(0.3), material.initial_state(1));
     const Point held = march(
         material, [](double) { return sheared(0.3); }, 0, 100, 100, jumped);
     const double left = std::sqrt(1.5) * deviator_of(held.cauchy).norm();
@@ -185,7 +185,7 @@ TEST(Viscoplastic, NortonWithExponentOneIsMaxwell) {
   c.exponent = 1;
   c.rate = 0.2;
   const Material material = norton(c);
-  const Point loaded = stepped(material, 0, 1e-12, Tensor::Identity(), sheared(0.5), material.initial_state(1));
+  const Point loaded = point_after(material, 0, 1e-12, Tensor::Identity(), sheared(0.5), material.initial_state(1));
   const Point held = march(
       material, [](double) { return sheared(0.5); }, 0, 2, 400, loaded);
   // d(dev tau)/dt = -3 mu rate / stress dev tau at fixed F.

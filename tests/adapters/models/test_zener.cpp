@@ -47,10 +47,10 @@ TEST(Zener, RelaxesExactlyAndKeepsItsDigitsAtSmallSteps) {
   const Tensor change = Tensor::Identity() - (F.transpose() * F).inverse();
   for (const double D : {1e-12, 1e-6, 1e-2, 3.0, 800.0}) {
     const Material material = material_of("zener", with(2, 1));
-    const Point loaded = stepped(material, 0, D, Tensor::Identity(), F, material.initial_state(1));
+    const Point loaded = point_after(material, 0, D, Tensor::Identity(), F, material.initial_state(1));
     const double expected = 2 * elastic.mu * change(0, 1) * -std::expm1(-D) / D;
     EXPECT_NEAR(loaded.state[3], expected, 1e-14 * std::abs(expected)) << D;
-    const Point held = stepped(material, D, 0.5, F, F, loaded.state);
+    const Point held = point_after(material, D, 0.5, F, F, loaded.state);
     EXPECT_NEAR(held.state[3], expected * std::exp(-0.5), 1e-14 * std::abs(expected)) << D;
   }
 }

@@ -11,12 +11,13 @@
 
 #include "tests/drivers/process.hpp"
 #include "tests/harness/check/all_causes.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_causes_page {
 namespace {
 
 std::string file_of(const std::string& name) {
-  std::ifstream in(ASSAY_SOURCE_DIR "/" + name);
+  std::ifstream in(tree_folder() + "/" + name);
   std::ostringstream out;
   out << in.rdbuf();
   return out.str();

@@ -15,6 +15,7 @@
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_check {
 namespace {
@@ -58,7 +59,7 @@ TEST(Check, PassesABuiltInModelAndSaysItInJsonAndJUnit) {
 
 TEST(Check, TakesSceneDescriptionAndLibrary) {
   const ScratchFolder scratch;
-  EXPECT_EQ(checked({ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml", "--quick"}), 0);
+  EXPECT_EQ(checked({tree_folder() + "/configs/paper/vortex_cpdi.yaml", "--quick"}), 0);
   const std::string description = scratch.write("clay.yaml", "library: " + plugins + "frozen_1_0.so\n");
   for (const std::string& material : {plugins + "frozen_1_0.so", description}) {
     std::string said;
@@ -87,7 +88,7 @@ TEST(Check, WhatIsRequiredAndNotGivenIsThatOfTheExample) {
 void expect_junit(const std::string& file) {
   if (std::system("xmllint --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "xmllint is not installed (libxml2-utils): JUnit files are not validated";
-  const std::string command = "xmllint --noout --relaxng '" ASSAY_SOURCE_DIR "/tests/drivers/junit.rng' '" + file +
+  const std::string command = "xmllint --noout --relaxng '" + tree_folder() + "/tests/drivers/junit.rng' '" + file +
                               "' > '" + file + ".said' 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << read_bytes(file + ".said") << read_bytes(file);
 }

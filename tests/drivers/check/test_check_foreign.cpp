@@ -6,6 +6,7 @@
 #include "tests/drivers/foreign_checks.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_check_foreign {
 namespace {
@@ -49,7 +50,7 @@ TEST(CheckForeign, AModelOfPlaneStrainAloneRunsTheVortex) {
   if (!built("umat_neo_hookean")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
   const std::string model = neo_hookean_in_plane(scratch);
-  const Ending ending = assay({"run", ASSAY_SOURCE_DIR "/configs/foreign/vortex_umat.yaml", "-o", scratch / "out",
+  const Ending ending = assay({"run", tree_folder() + "/configs/foreign/vortex_umat.yaml", "-o", scratch / "out",
                                "--quiet", "--set", "material={adapter: " + model + "}"});
   EXPECT_EQ(ending.status, 0) << ending.said;
 }

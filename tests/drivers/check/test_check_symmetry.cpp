@@ -6,6 +6,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_check_symmetry {
 namespace {
@@ -106,8 +107,8 @@ TEST(CheckSymmetryOfRings, ABundleAlongTheAxisServesAVortexAndAnInclinedOneDoesN
     const std::string model =
         scratch.write("bundle.yaml", "library: " + library + "\ninterface: umat\nstrain: finite\nproperties: {" +
                                          properties + "}\nsymmetry: " + symmetry + "\ndensity: 1000\n");
-    return assay({"explain", ASSAY_SOURCE_DIR "/configs/foreign/vortex_umat.yaml", "--set",
-                  "material={adapter: " + model + "}"});
+    return assay(
+        {"explain", tree_folder() + "/configs/foreign/vortex_umat.yaml", "--set", "material={adapter: " + model + "}"});
   };
   EXPECT_EQ(status(bundle + upright, "transversely_isotropic").status, 0);
   EXPECT_EQ(status(bundle + upright, "anisotropic").status, 2);

@@ -10,6 +10,7 @@
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/registry_fixture.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_check_words {
 namespace {
@@ -28,7 +29,7 @@ TEST(CheckWords, ErrorsNameOptionsAndNoKeysOfAScene) {
   EXPECT_TRUE(refused({"neo_hookean", "--parameters", "E=-1"}).starts_with("--parameters: E: must lie from "));
   EXPECT_TRUE(refused({"neo_hookean", "--parameters", "mu=1"})
                   .starts_with("--parameters: mu: material 'neo_hookean' has no such parameter (nearest: nu)"));
-  EXPECT_TRUE(refused({ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml", "--parameters", "nu=0.7"})
+  EXPECT_TRUE(refused({tree_folder() + "/configs/paper/vortex_cpdi.yaml", "--parameters", "nu=0.7"})
                   .starts_with("--parameters: nu: must lie from "));
 }
 

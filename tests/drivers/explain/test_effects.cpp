@@ -19,6 +19,7 @@
 #include "tests/drivers/scene_text.hpp"
 #include "tests/support/built.hpp"
 #include "tests/support/counting_material.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_effects {
 namespace {
@@ -51,7 +52,7 @@ Names effects_of(const Problem& problem) {
   return found;
 }
 
-std::string config(const std::string& name) { return ASSAY_SOURCE_DIR "/configs/" + name + ".yaml"; }
+std::string config(const std::string& name) { return tree_folder() + "/configs/" + name + ".yaml"; }
 
 TEST(EffectList, HasEachOnceWithOneKey) {
   std::set<std::string> names;

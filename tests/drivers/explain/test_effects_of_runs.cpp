@@ -13,6 +13,7 @@
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/support/built.hpp"
 #include "tests/support/counting_material.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_effects_of_runs {
 namespace {
@@ -61,7 +62,7 @@ TEST(AroundTheSteps, ARunThatIsNotComparedIsNeitherScreenedNorSampled) {
   EXPECT_TRUE(profiles(with, "error_sampling"));
   // whose calls are those of the steps and no more; and what the screen would have called
   EXPECT_EQ(without.result["work"]["material_calls"], without.result["work"]["particle_steps"]);
-  const Problem problem = assemble(read_scene(ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml", bench::plain()), 1);
+  const Problem problem = assemble(read_scene(tree_folder() + "/configs/paper/vortex_cpdi.yaml", bench::plain()), 1);
   const auto material = test_materials::counted(*problem.material);
   screen_of(problem.scene, *material, problem.scene.time.end, true);
   EXPECT_GT(test_materials::counting::points, 0);

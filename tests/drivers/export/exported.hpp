@@ -7,10 +7,11 @@
 #include "drivers/export/export.hpp"
 #include "drivers/format/csv.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers {
 
-inline const std::string plane_vortex = ASSAY_SOURCE_DIR "/configs/library/plane_vortex.yaml";
+inline const std::string plane_vortex = tree_folder() + "/configs/library/plane_vortex.yaml";
 
 inline ExportOptions export_options(const std::string& target, const std::string& grids,
                                     const std::string& scene = plane_vortex,

@@ -19,11 +19,12 @@
 #include "tests/drivers/call_verb.hpp"
 #include "tests/drivers/export/exported.hpp"
 #include "tests/drivers/refusal.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_export {
 namespace {
 
-const std::string configs = ASSAY_SOURCE_DIR "/configs/";
+const std::string configs = tree_folder() + "/configs/";
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 

@@ -7,11 +7,12 @@
 #include "drivers/material/tool_process.hpp"
 #include "tests/drivers/export/vortex_forces.hpp"
 #include "tests/support/python.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_force_expressions {
 namespace {
 
-const std::string own_folder = std::string(ASSAY_SOURCE_DIR) + "/tests/drivers/export/";
+const std::string own_folder = tree_folder() + "/tests/drivers/export/";
 const std::array<std::string, 3> vortices{smooth_vortex, viscous_vortex, static_ramp};
 
 std::string words_of(const std::string& text) { return "'" + text + "'"; }

@@ -77,7 +77,7 @@ TEST(ForceTables, OfTheVortexMeetTheExactForce) {
 /// rho0 b of all particles and the tractions on all faces make the momentum of a body whose F is the same everywhere.
 TEST(ForceTables, OfTractionsBalanceTheBody) {
   const ExportedProblem problem =
-      exported(export_options("csv", ".125", ASSAY_SOURCE_DIR "/configs/motions/rotating_stretch.yaml"));
+      exported(export_options("csv", ".125", tree_folder() + "/configs/motions/rotating_stretch.yaml"));
   const ExportedGrid& grid = problem.grids[0];
   const std::vector<SurfaceFace> faces = surface_faces(grid, problem.dimension);
   const ForceTable force = body_force_table(problem, grid), traction = traction_table(problem, faces);
@@ -104,7 +104,7 @@ TEST(ForceTables, OfTractionsBalanceTheBody) {
 /// Forces on all nodes have no sum without inertia: what acts on the free body is in balance.
 TEST(ForceTables, OfNodalLoadsAreInBalanceWithoutInertia) {
   ExportOptions options =
-      export_options("nodal-loads", ".25", ASSAY_SOURCE_DIR "/configs/motions/homogeneous_shear.yaml");
+      export_options("nodal-loads", ".25", tree_folder() + "/configs/motions/homogeneous_shear.yaml");
   options.quasi_static = true;
   const ExportedProblem problem = exported(options);
   const ForceTable table = nodal_load_table(problem, problem.grids[0]);
@@ -155,6 +155,7 @@ TEST_F(TableRoutines, InC) {
   if (tool_in_path("cc").empty()) GTEST_SKIP() << "no cc";
   scratch_.write("main.c", R"(#include <stdio.h>
 #include "force_table.h"
+#include "tests/support/tree_folder.hpp"
 int main(void) {
   const double times[] = {-0.5, 0, 0.01, 0.7, 1.49, 1.5, 2};
   double b[6];

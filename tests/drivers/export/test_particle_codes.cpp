@@ -11,14 +11,15 @@
 #include "tests/drivers/call_verb.hpp"
 #include "tests/drivers/export/exported.hpp"
 #include "tests/drivers/export/vortex_forces.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_particle_codes {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::string own = std::string(ASSAY_SOURCE_DIR) + "/tests/drivers/export/";
-const std::string ball = std::string(ASSAY_SOURCE_DIR) + "/configs/motions/vortex3d.yaml";
+const std::string own = tree_folder() + "/tests/drivers/export/";
+const std::string ball = tree_folder() + "/configs/motions/vortex3d.yaml";
 
 /// Writes the folder of an export.
 void write_export(const ScratchFolder& scratch, const ExportOptions& options) {

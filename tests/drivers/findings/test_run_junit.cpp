@@ -10,11 +10,12 @@
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_run_junit {
 namespace {
 
-const std::string vortex_scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
+const std::string vortex_scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
 
 /// A short run whose findings go to junit.xml. Returns that file's text.
 std::string junit_of(int status, std::vector<std::string> sets) {
@@ -38,7 +39,7 @@ void expect_valid(const std::string& text) {
   const ScratchFolder scratch;
   const std::string file = scratch.write("junit.xml", text), said = scratch / "said";
   const std::string command =
-      "xmllint --noout --relaxng '" ASSAY_SOURCE_DIR "/tests/drivers/junit.rng' '" + file + "' > '" + said + "' 2>&1";
+      "xmllint --noout --relaxng '" + tree_folder() + "/tests/drivers/junit.rng' '" + file + "' > '" + said + "' 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << bytes_of(said) << text;
 }
 

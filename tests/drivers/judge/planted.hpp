@@ -18,6 +18,7 @@
 #include "drivers/simulation/response_source.hpp"
 #include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers {
 
@@ -29,7 +30,7 @@ class Planted {
   static constexpr double spacing = 0.06, error = 0.005;
 
   /// error_rate: of the positions [m/s]; apart: the particles [m].
-  explicit Planted(std::string scene = ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml", double error_rate = error,
+  explicit Planted(std::string scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml", double error_rate = error,
                    double apart = spacing)
       : scene_file(std::move(scene)), error_rate_(error_rate) {
     scene_ = read_scene(scene_file, {});

@@ -4,6 +4,7 @@
 
 #include "drivers/judge/labels.hpp"
 #include "tests/drivers/judge/planted.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_doubtful_clocks {
 namespace {
@@ -121,7 +122,7 @@ TEST_F(JudgeClocks, AreNoneWhereTheRestStays) {
 /// Linear elements are late by 1.1 % and 0.27 % in this wave.
 TEST_F(JudgeClocks, OfAMethodOfOursAreNotAccused) {
   std::vector<std::string> runs;
-  const std::string scene = ASSAY_SOURCE_DIR "/configs/standard/1/axis_aligned.yaml";
+  const std::string scene = tree_folder() + "/configs/standard/1/axis_aligned.yaml";
   for (const char* h : {"0.1", "0.05"}) {
     RunOptions options;
     options.scene = scene;

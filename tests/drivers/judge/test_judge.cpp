@@ -5,6 +5,7 @@
 #include <random>
 
 #include "tests/drivers/judge/planted.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_judge {
 namespace {
@@ -100,7 +101,7 @@ TEST_F(Judge, NamesAxesAndOrigins) {
 
 /// The ring of the vortex looks the same from all sides, a body that is stretched does not.
 TEST_F(Judge, NamesTurnedAxes) {
-  const std::string scene = ASSAY_SOURCE_DIR "/configs/motions/rotating_stretch.yaml";
+  const std::string scene = tree_folder() + "/configs/motions/rotating_stretch.yaml";
   const double plain = judged(Planted(scene)).l2();
   const auto turned = [&](const std::function<Vector3(const Vector3&)>& of, bool all) {
     Planted planted(scene);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/drivers/judge/planted.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_judge_beyond_sight {
 namespace {
@@ -49,7 +50,7 @@ TEST_F(JudgeBeyondSight, AWrongCodeInAnotherUnitIsToldItsUnitAndItsError) {
 }
 
 TEST_F(JudgeBeyondSight, AWrongCodeUnderAHomogeneousMotionIsToldItsUnit) {
-  Planted planted = wrong(ASSAY_SOURCE_DIR "/configs/standard/1/homogeneous_traction.yaml");
+  Planted planted = wrong(tree_folder() + "/configs/standard/1/homogeneous_traction.yaml");
   scale(planted, 1e3);
   const Verdict found = of(planted, {"id", "X", "x", "v"});
   EXPECT_EQ(found.status, 1);

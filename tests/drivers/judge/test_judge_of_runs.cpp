@@ -6,6 +6,7 @@
 
 #include "drivers/output/errors_csv.hpp"
 #include "tests/drivers/judge/planted.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_judge_of_runs {
 namespace {
@@ -33,7 +34,7 @@ TEST_P(JudgeOfRuns, EqualsTheErrorsOfTheRun) {
   constexpr double rounding = 1e-9;  // [s]
   const ScratchFolder scratch;
   RunOptions options;
-  options.scene = std::string(ASSAY_SOURCE_DIR) + "/configs/" + GetParam();
+  options.scene = tree_folder() + "/configs/" + GetParam();
   options.out = scratch / "run";
   options.sets = {"expect={}", "output.particles=5", "output.errors=5", "output.pictures=false", "output.report=false"};
   options.verbosity = Verbosity::quiet;

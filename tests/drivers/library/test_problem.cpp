@@ -7,6 +7,7 @@
 
 #include "tests/drivers/library/handles.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::library_test::test_problem {
 namespace {
@@ -64,7 +65,8 @@ TEST(Problem, ToldByAPathOrByAText) {
   assay_options options = ASSAY_OPTIONS_INIT;
   assay_problem* problem = nullptr;
   EXPECT_EQ(assay_open(&options, &problem, nullptr), ASSAY_BAD_INPUT);
-  options.scene = ASSAY_SOURCE_DIR "/configs/models/vortex_neo_hookean.yaml";
+  const std::string scene = tree_folder() + "/configs/models/vortex_neo_hookean.yaml";
+  options.scene = scene.c_str();
   const char* sets[] = {"force.cache=false", "force.tolerance=1e-4"};
   options.sets = sets;
   options.set_count = 2;

@@ -10,6 +10,7 @@
 #include "drivers/library/assay.h"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::library_test::test_program_of_workers {
 namespace {
@@ -40,9 +41,8 @@ class Copied {
   }
   int code_of_foreign(std::string& words, const std::string& material = "mfront_neo_hookean.yaml") const {
     assay_options options = ASSAY_OPTIONS_INIT;
-    const std::string text = "motion: {type: vortex}\nmaterial: {adapter: '" ASSAY_SOURCE_DIR
-                             "/tests/adapters/foreign/" +
-                             material + "', density: 1000}\n";
+    const std::string text = "motion: {type: vortex}\nmaterial: {adapter: '" + tree_folder() +
+                             "/tests/adapters/foreign/" + material + "', density: 1000}\n";
     options.text = text.c_str();
     assay_error error = ASSAY_ERROR_INIT;
     assay_problem* problem = nullptr;

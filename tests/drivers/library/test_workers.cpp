@@ -18,6 +18,7 @@
 #include "tests/drivers/library/handles.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::library_test::test_workers {
 namespace {
@@ -25,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using drivers::ScratchFolder;
 
-const std::string foreign = ASSAY_SOURCE_DIR "/tests/adapters/foreign/mfront_neo_hookean.yaml";
+const std::string foreign = tree_folder() + "/tests/adapters/foreign/mfront_neo_hookean.yaml";
 
 class Workers : public testing::Test {
  protected:
@@ -107,7 +108,8 @@ TEST_F(Workers, OfAHostThatForks) {
   const auto ask = [](const Owned<assay_points>& points, double t) { return evaluated(points, t, 1).front().P[1]; };
   const std::string scene =
       "motion: {type: homogeneous, final: [[1.6, .3, 0], [-.1, .8, 0], [0, 0, 1]]}\n"
-      "material: {adapter: '" ASSAY_SOURCE_DIR "/tests/adapters/foreign/umat_j2.yaml', density: 1000}\n";
+      "material: {adapter: '" +
+      tree_folder() + "/tests/adapters/foreign/umat_j2.yaml', density: 1000}\n";
   std::vector<double> expected;
   for (int k = 0; k < 20; ++k) expected.push_back(ask(points_at(opened(scene), {.9, .2}, 2), .02 * k + .01));
   auto problem = opened(scene);
@@ -220,7 +222,7 @@ TEST_F(Workers, CompileASource) {
   const ScratchFolder cache;
   ::setenv("ASSAY_CACHE_HOME", (cache / "").c_str(), 1);
   std::string words;
-  EXPECT_EQ(code_of(text(ASSAY_SOURCE_DIR "/tests/downstream/hooke_umat.f", ", parameters: {p1: 1e3, p2: .3}"), &words),
+  EXPECT_EQ(code_of(text(tree_folder() + "/tests/downstream/hooke_umat.f", ", parameters: {p1: 1e3, p2: .3}"), &words),
             ASSAY_DONE)
       << words;
 }

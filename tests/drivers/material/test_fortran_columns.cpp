@@ -7,6 +7,7 @@
 #include "drivers/material/fortran_text.hpp"
 #include "drivers/material/tool_process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_fortran_columns {
 namespace {
@@ -130,7 +131,7 @@ TEST(FortranColumns, CMakeTellsTheSame) {
   const std::string file = scratch.write("m.f", text);
   const ToolEnd ran =
       run_tool({.program = tool_in_path("cmake"),
-                .arguments = {"-D", "SOURCE=" + file, "-P", ASSAY_SOURCE_DIR "/cmake/check_columns.cmake"}});
+                .arguments = {"-D", "SOURCE=" + file, "-P", tree_folder() + "/cmake/check_columns.cmake"}});
   std::string own;
   const std::vector<std::string> lines = lines_of_source(text);
   const std::vector<FortranForm> forms(lines.size(), FortranForm::fixed);

@@ -8,6 +8,7 @@
 
 #include "tests/drivers/mistakes/foreign_code.hpp"
 #include "tests/drivers/mistakes/planted_mpm.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_identification {
 namespace {
@@ -172,7 +173,7 @@ TEST(MistakeThatIsNotKnown, IsGivenNoName) {
   EXPECT_EQ(found.alike, 0u);
 }
 
-const std::string standard = ASSAY_SOURCE_DIR "/configs/standard/1/vortex_mild.yaml";
+const std::string standard = tree_folder() + "/configs/standard/1/vortex_mild.yaml";
 
 Identification identified_of_mpm(const Names& method, const Mistake& mistake) {
   std::vector<MeasuredErrors> runs;

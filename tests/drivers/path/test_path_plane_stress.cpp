@@ -9,6 +9,7 @@
 #include "tests/drivers/foreign_checks.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_path_plane_stress {
 namespace {
@@ -89,7 +90,7 @@ TEST_F(PathPlaneStress, AMotionOfPlaneStrainIsRefused) {
   const ScratchFolder scratch;
   scratch.write("model.yaml", "library: " + built("tests/foreign/") +
                                   "umat_plane_stress.so\ninterface: umat\ncomponents: [3]\ndensity: 1000\n" + elastic);
-  const Ending ending = assay({"run", ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml", "--set",
+  const Ending ending = assay({"run", tree_folder() + "/configs/paper/vortex_cpdi.yaml", "--set",
                                "material.adapter=" + (scratch / "model.yaml"), "--set",
                                "material.parameters={E: 1000, nu: 0.3, law: 1}", "-o", scratch / "out"});
   EXPECT_EQ(ending.status, 2) << ending.said;

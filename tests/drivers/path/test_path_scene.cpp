@@ -8,6 +8,7 @@
 
 #include "drivers/system/input_file.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_path_scene {
 namespace {
@@ -169,7 +170,7 @@ TEST(PathScene, StagesResolveToThemselves) {
 
 TEST(PathScene, EveryShippedPathReadsBack) {
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(ASSAY_SOURCE_DIR "/configs/paths")) {
+  for (const auto& entry : std::filesystem::directory_iterator(tree_folder() + "/configs/paths")) {
     if (entry.path().extension() != ".yaml") continue;
     const std::string file = entry.path().string();
     const std::string written = resolved_path_yaml(scene_from(read_bytes(file), file));

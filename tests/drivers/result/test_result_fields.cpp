@@ -10,6 +10,7 @@
 #include "drivers/result/result_json.hpp"
 #include "drivers/system/input_file.hpp"
 #include "tests/support/renewal.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_result_fields {
 namespace {
@@ -111,7 +112,7 @@ std::string with_rows(std::string page) {
 }
 
 TEST(ResultFields, AreTheTablesOfThePage) {
-  const char* const path = ASSAY_SOURCE_DIR "/docs/results.md";
+  const std::string path = tree_folder() + "/docs/results.md";
   if (renews()) {
     const std::string renewed = with_rows(read_bytes(path));
     std::ofstream(path, std::ios::binary) << renewed;

@@ -19,6 +19,7 @@
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scene_text.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_scene_units {
 namespace {
@@ -154,7 +155,7 @@ TEST(SceneUnits, TheKeysHaveTheDimensionsOfThePhysics) {
     ++compared;
   }
   EXPECT_GT(compared, 30);
-  const std::string vortex = ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml";
+  const std::string vortex = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
   for (const auto& [key, wrong] :
        Planted{{"material.density", "kg/m^2"}, {"grid.spacing", "s"}, {"motion.period", "m"}})
     EXPECT_NE(difference(vortex, {{key, wrong}}), "") << key;

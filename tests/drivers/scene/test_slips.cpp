@@ -14,12 +14,13 @@
 #include "drivers/simulation/problem.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_slips {
 namespace {
 
 constexpr const char* mark = "¦";  ///< stands where the message should point
-const std::string configs = ASSAY_SOURCE_DIR "/configs/", own = ASSAY_SOURCE_DIR "/tests/drivers/scene/slips/";
+const std::string configs = tree_folder() + "/configs/", own = tree_folder() + "/tests/drivers/scene/slips/";
 
 /// `\n` and `\t` are what they are in C.
 std::string unescaped(const std::string& text) {

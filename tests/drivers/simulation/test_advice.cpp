@@ -11,6 +11,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/system/input_error.hpp"
 #include "tests/drivers/quiet_run.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_advice {
 namespace {
@@ -126,7 +127,7 @@ TEST(Advice, OfARefusedSceneMakesOneThatIsAcceptedAndLives) {
 /// Sources that judge a scene, and those whose sentences are tried by tests of their own here.
 TEST(Advice, OfEveryRefusalIsTried) {
   std::size_t found = 0;
-  const std::string tree = ASSAY_SOURCE_DIR "/";
+  const std::string tree = tree_folder() + "/";
   Sets files{tree + "mpm/setup/method.cpp", tree + "drivers/scene/scene_check.cpp",
              tree + "drivers/simulation/body_faces.cpp"};
   for (const char* folder : {"mpm/basis", "mpm/effects"}) {
@@ -229,7 +230,7 @@ Sets incompressible(const std::string& spacing, const std::string& nu, const std
 
 // A torus in space shears so much that no method completes it.
 TEST(Advice, PromisesInSpaceWhatWasMeasuredThere) {
-  const Scene scene = read_scene(ASSAY_SOURCE_DIR "/configs/space/contrast_ugimp.yaml", {});
+  const Scene scene = read_scene(tree_folder() + "/configs/space/contrast_ugimp.yaml", {});
   const std::string advice = advice_after_death(assemble<3>(scene, 1), "");
   EXPECT_NE(advice.find(") complete most hard cases that were measured in space"), std::string::npos) << advice;
 }

@@ -6,12 +6,13 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "drivers/simulation/problem.hpp"
 #include "tests/drivers/refusal.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_body_ends {
 namespace {
 
 Scene box_scene(const std::string& scene, const std::vector<std::string>& sets) {
-  return read_scene(std::string(ASSAY_SOURCE_DIR) + "/configs/motions/" + scene + ".yaml", sets);
+  return read_scene(tree_folder() + "/configs/motions/" + scene + ".yaml", sets);
 }
 
 std::string refused_box(const std::string& scene, const std::vector<std::string>& sets) {
@@ -45,7 +46,7 @@ TEST(BodyEnds, AreRefusedWhereTheBodyCannotHaveThem) {
 // Ends stay with the grid, and a frame takes the body away from them.
 TEST(BodyEnds, AreNoneOfABodyThatAFrameMoves) {
   const auto in_space = [](const std::string& scene, std::vector<std::string> sets) {
-    const std::string path = std::string(ASSAY_SOURCE_DIR) + "/configs/space/" + scene + ".yaml";
+    const std::string path = tree_folder() + "/configs/space/" + scene + ".yaml";
     return read_scene(path, sets);
   };
   const auto refused = [&](const std::string& scene, const std::vector<std::string>& sets) {

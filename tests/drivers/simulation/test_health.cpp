@@ -18,6 +18,7 @@
 #include "tests/drivers/simulation/exact_setup.hpp"
 #include "tests/drivers/simulation/first_breakdown.hpp"
 #include "tests/support/png.hpp"
+#include "tests/support/tree_folder.hpp"
 #include "tests/support/vtu_reader.hpp"
 
 namespace assay::drivers::test_health {
@@ -219,7 +220,7 @@ TEST(DyingRun, LeavesTheLastGoodParticlesWhereTheStressIsAHistory) {
   for (const auto& [scene, sets] : deaths) {
     const ScratchFolder scratch;
     RunOptions options = quiet_run("", scratch / "dead", sets);
-    options.scene = ASSAY_SOURCE_DIR "/tests/fuzz/scenes/" + scene + ".yaml";
+    options.scene = tree_folder() + "/tests/fuzz/scenes/" + scene + ".yaml";
     options.sets.emplace_back("output={particles: 1, pictures: false}");
     ASSERT_EQ(run(options), 1) << scene;
     EXPECT_EQ(result_in(scratch / "dead")["last_good"], "last_good.vtu") << scene;
@@ -253,7 +254,7 @@ TEST(DyingRun, IsReportedAtItsFirstInversionOrLostNumber) {
     EXPECT_EQ(run(quiet_run(scene, scratch / "out", quiet)), 1);
     const auto result = result_in(scratch / "out");
     EXPECT_EQ(result["outcome"], "unstable") << scene;
-    const Breakdown first = first_breakdown(std::string(ASSAY_SOURCE_DIR) + "/configs/" + scene + ".yaml", quiet);
+    const Breakdown first = first_breakdown(tree_folder() + "/configs/" + scene + ".yaml", quiet);
     EXPECT_NEAR(result["t"].get<double>(), first.t, share_of_run * first.run) << scene << result["reason"];
   }
 }

@@ -13,11 +13,12 @@
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_screening {
 namespace {
 
-const std::string vortex_scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
+const std::string vortex_scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
 const std::string jaumann = "material={adapter: hypoelastic_jaumann, parameters: {E: 1e3, nu: 0.3}, density: 1000}";
 
 RunOptions quick_run(const std::string& out, const std::vector<std::string>& more) {
@@ -149,7 +150,7 @@ TEST(Screening, SafeAmplitudesAreNeverRoundedUp) {
 TEST(Screening, OfARingAndABoxLooksWhereTheBodyIs) {
   const auto screened = [](const std::string& scene, std::vector<std::string> sets) {
     sets.emplace_back("method.courant=0.3");
-    Scene given = read_scene(std::string(ASSAY_SOURCE_DIR) + "/configs/motions/" + scene + ".yaml", sets);
+    Scene given = read_scene(tree_folder() + "/configs/motions/" + scene + ".yaml", sets);
     const Problem problem = assemble(given, 1);
     return screen_of(problem.scene, *problem.material, problem.scene.time.end, true);
   };

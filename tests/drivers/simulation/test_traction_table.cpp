@@ -8,6 +8,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/refusal.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_traction_table {
 namespace {
@@ -106,8 +107,7 @@ TEST(TractionTable, PaperRowOnlyInThePapersScene) {
 
 TEST(TractionTable, EachKeyOfThePapersSceneCounts) {
   const auto of_paper = [](const std::vector<std::string>& sets) {
-    return is_table_1(
-        assemble(read_scene(std::string(ASSAY_SOURCE_DIR) + "/configs/" + table1_scene + ".yaml", sets), 1));
+    return is_table_1(assemble(read_scene(tree_folder() + "/configs/" + table1_scene + ".yaml", sets), 1));
   };
   EXPECT_TRUE(of_paper({}));
   EXPECT_TRUE(of_paper({"grid.spacing=0.5"}));
@@ -135,7 +135,7 @@ TEST(TractionTable, NothingWithoutTheKey) {
 
 TEST(TractionTable, RefusedWhereNoTractionActs) {
   const auto refused = [](const std::string& scene, const std::vector<std::string>& sets) {
-    return refusal_of([&] { read_scene(std::string(ASSAY_SOURCE_DIR) + "/configs/" + scene + ".yaml", sets); });
+    return refusal_of([&] { read_scene(tree_folder() + "/configs/" + scene + ".yaml", sets); });
   };
   const std::string others = "; known: errors, particles, each_step_from, pictures, report, accounts";
   for (const std::string motion : {"vortex", "rigid"}) {
@@ -152,7 +152,7 @@ TEST(TractionTable, RefusedWhereNoTractionActs) {
 TEST(TractionTable, OneThatCannotRunLeavesTheOthers) {
   const std::string silent = "output.pictures=false", lean = "output.accounts=false";
   const auto bytes = [&](const std::string& algorithm) {
-    const std::string file = std::string(ASSAY_SOURCE_DIR) + "/configs/" + table1_scene + ".yaml";
+    const std::string file = tree_folder() + "/configs/" + table1_scene + ".yaml";
     return assemble(read_scene(file, {"traction.algorithm=" + algorithm, silent, lean, soft}), 1).estimated_bytes();
   };
   const double between = 0.5 * (bytes("edges") + bytes("virtual_stress")) / (1024.0 * 1024 * 1024);

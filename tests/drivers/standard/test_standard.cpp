@@ -14,6 +14,7 @@
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_standard {
 namespace {
@@ -35,7 +36,7 @@ TEST(StandardSet, EveryProblemIsASceneThatStatesWhatItAsksFor) {
     EXPECT_FALSE(scene.expect.empty()) << problem.id;
     ASSERT_GE(problem.grids.size(), 3u) << problem.id;
     EXPECT_TRUE(std::ranges::is_sorted(problem.grids, std::greater())) << problem.id;
-    EXPECT_EQ(problem.text, bytes_of(std::string(ASSAY_SOURCE_DIR) + "/configs/standard/1/" + problem.file()));
+    EXPECT_EQ(problem.text, bytes_of(tree_folder() + "/configs/standard/1/" + problem.file()));
     histories += problem.id.ends_with("_history");
   }
   EXPECT_GE(histories, 7u);  // one of each motion

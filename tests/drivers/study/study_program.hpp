@@ -12,12 +12,13 @@
 #include <vector>
 
 #include "tests/drivers/process.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers {
 
 /// Two methods on two grids, and what is asked of them on further lines.
 inline std::string small_study_text(const std::string& more = "timing: none\n", const std::string& set = "") {
-  return "title: Small\nscene: " ASSAY_SOURCE_DIR
+  return "title: Small\nscene: " + tree_folder() +
          "/configs/paper/vortex_square.yaml\n"
          "set: {output.errors: 5, output.pictures: false, body.outside: free, time.end: 0.05" +
          set +

@@ -9,11 +9,12 @@
 
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/registry_fixture.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_exit_guard {
 namespace {
 
-const std::string scene = ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml";
+const std::string scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
 constexpr const char* ended = "assay: the process was ended from inside, most likely by the material's library\n";
 
 /// A short run, a tabulation and an evaluation with a test plug-in; their results go to `out`.

@@ -14,11 +14,12 @@
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/refusal.hpp"
 #include "tests/drivers/scene_text.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_input_file {
 namespace {
 
-const std::string scene = ASSAY_SOURCE_DIR "/configs/paper/tabulate_neo_hookean.yaml";
+const std::string scene = tree_folder() + "/configs/paper/tabulate_neo_hookean.yaml";
 
 /// The program with a text on standard input, in this folder; it is killed where it waits.
 Ending with_input(const ScratchFolder& scratch, const std::vector<std::string>& words, const std::string& text) {
@@ -89,7 +90,7 @@ TEST(InputFile, AHyphenIsStandardInputWhateverIsRead) {
   EXPECT_EQ(by_hyphen.said, with_input(scratch, {"eval", scene, "--points", "/dev/stdin"}, points).said);
   EXPECT_FALSE(std::filesystem::exists(scratch / "-"));
   const std::string study =
-      "scene: " ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml\naxes: {material.parameters.nu: [0.1, 0.2]}\n";
+      "scene: " + tree_folder() + "/configs/paper/vortex_cpdi.yaml\naxes: {material.parameters.nu: [0.1, 0.2]}\n";
   EXPECT_TRUE(has(with_input(scratch, {"study", "-", "--list"}, study).said, "0.2"));
   EXPECT_TRUE(has(with_input(scratch, {"run", "-"}, "motion: {type: vortx}\nmaterial: {adapter: x}\n").said,
                   "standard input:1:16: motion.type: unknown value 'vortx' (nearest: vortex)"));
@@ -150,7 +151,7 @@ TEST(InputFile, NamesTheResultsOfAStream) {
 TEST(InputFile, ASignalThatNobodyCatchesLeavesNothing) {
   for (const int signal : {SIGUSR1, SIGALRM, SIGPIPE}) {
     const ScratchFolder scratch;
-    const pid_t child = start_assay({"run", ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml", "-o", scratch / "out",
+    const pid_t child = start_assay({"run", tree_folder() + "/configs/paper/vortex_cpdi.yaml", "-o", scratch / "out",
                                      "--set", "grid.spacing=0.00625"},
                                     scratch / "said", [signal] { std::signal(signal, SIG_DFL); });
     ::usleep(300'000);

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "tests/drivers/process.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_interrupt {
 namespace {
@@ -128,7 +129,7 @@ TEST(Interrupt, ends_a_read_that_waits_for_ever) {
   int ends[2];
   ASSERT_EQ(::pipe(ends), 0);
   const std::string pipe = "/dev/fd/" + std::to_string(ends[0]);
-  const std::string scene = ASSAY_SOURCE_DIR "/configs/paper/vortex_cpdi.yaml";
+  const std::string scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
   const std::vector<std::vector<std::string>> calls{
       {"run", pipe, "-o", scratch / "out"},
       {"tabulate", pipe, "-o", scratch / "out"},

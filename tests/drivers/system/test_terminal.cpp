@@ -10,6 +10,7 @@
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/registry_fixture.hpp"
 #include "tests/drivers/scene_text.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_terminal {
 namespace {
@@ -50,11 +51,12 @@ TEST_F(Terminal, LabelsOfALibraryAreText) {
 TEST_F(Terminal, PathsAreText) {
   fs::create_directory(folder / hostile);
   fs::copy_file(plugins + "frozen_1_0.so", folder / hostile / "m.so");
-  const std::string scene = ASSAY_SOURCE_DIR "/configs/paper/tabulate_neo_hookean.yaml";
+  const std::string scene = tree_folder() + "/configs/paper/tabulate_neo_hookean.yaml";
   write(hostile + "/s.yaml", "title: x\n" + scene_text());
-  write("study.yaml",
-        "scene: " ASSAY_SOURCE_DIR
-        "/configs/paper/vortex_cpdi.yaml\naxes: {\"a\\e[31m\\nFORGED: pass\": {x: {material.parameters.nu: 0.2}}}\n");
+  write(
+      "study.yaml",
+      "scene: " + tree_folder() +
+          "/configs/paper/vortex_cpdi.yaml\naxes: {\"a\\e[31m\\nFORGED: pass\": {x: {material.parameters.nu: 0.2}}}\n");
   for (const std::vector<std::string>& words :
        std::vector<std::vector<std::string>>{{"materials", "./" + hostile + "/m.so"},
                                              {"tabulate", scene, "-o", hostile + "/out"},

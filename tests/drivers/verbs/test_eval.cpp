@@ -12,13 +12,14 @@
 #include "drivers/scene/scene.hpp"
 #include "drivers/system/input_error.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_eval {
 namespace {
 
 using std::numbers::pi;
 
-const std::string configs = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/";
+const std::string configs = tree_folder() + "/configs/paper/";
 const std::vector<std::string> plane_columns{"X",   "Y",   "t",   "x",   "y",   "vx",  "vy",  "ax",  "ay",
                                              "F11", "F12", "F21", "F22", "F33", "P11", "P12", "P21", "P22",
                                              "P33", "s11", "s12", "s22", "s33", "bx",  "by"};

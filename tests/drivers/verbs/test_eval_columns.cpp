@@ -6,11 +6,12 @@
 #include "drivers/system/input_error.hpp"
 #include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_eval_columns {
 namespace {
 
-const std::string ring = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
+const std::string ring = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
 const std::string ball =
     "motion: {type: vortex3d, axis: [1, 2, 3], amplitude: {peak: 0.5}}\n"
     "material: {adapter: mooney_rivlin, parameters: {c10: 120, c01: 60, bulk_modulus: 900}, density: 1000}\n";

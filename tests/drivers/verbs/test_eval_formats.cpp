@@ -11,6 +11,7 @@
 #include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/support/python.hpp"
+#include "tests/support/tree_folder.hpp"
 #include "tests/support/vtu_reader.hpp"
 
 namespace assay::drivers::test_eval_formats {
@@ -38,7 +39,7 @@ class EvalFormats : public testing::Test {
                               : "0.75") +
                 "\n";
     }
-    options_.scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
+    options_.scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
     options_.points = scratch_.write("points.csv", points);
     options_.verbosity = Verbosity::quiet;
     options_.out = scratch_ / "exact.csv";

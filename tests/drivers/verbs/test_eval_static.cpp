@@ -11,11 +11,12 @@
 #include "drivers/system/input_error.hpp"
 #include "drivers/verbs/verbs.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_eval_static {
 namespace {
 
-const std::string scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
+const std::string scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
 const std::vector<std::string> sets{"force.quasi_static=true"};
 
 CsvTable evaluated(const std::string& points, const std::vector<std::string>& with,

@@ -11,11 +11,12 @@
 #include "drivers/format/zip.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_eval_streams {
 namespace {
 
-const std::string scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
+const std::string scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
 
 std::string many_points(int rows) {
   std::string text = "X,Y,t\n";

@@ -9,11 +9,12 @@
 
 #include "tests/drivers/quiet_run.hpp"
 #include "tests/drivers/scratch_folder.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_explain {
 namespace {
 
-const std::string scene = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/vortex_cpdi.yaml";
+const std::string scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml";
 const std::vector<std::string> coarse{"grid.spacing=0.125", "expect={}", "output.particles=0", "output.pictures=false",
                                       "time.end=0.02"};
 

@@ -13,11 +13,12 @@
 #include "tests/drivers/process.hpp"
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_tabulate {
 namespace {
 
-const std::string configs = std::string(ASSAY_SOURCE_DIR) + "/configs/paper/";
+const std::string configs = tree_folder() + "/configs/paper/";
 const std::vector<std::string> sheet_columns{"xi",         "t",          "gamma",     "tau11",      "tau12",
                                              "tau21",      "tau22",      "tau33",     "dtau11_dxi", "dtau12_dxi",
                                              "dtau21_dxi", "dtau22_dxi", "dtau33_dxi"};

@@ -2,9 +2,8 @@
 """Mistakes that were planted without a look at the dictionary of judge, in three codes; what judge says of them.
 
 usage: blind.py [--second] ASSAY FOLDER [CASE or MOTION...]; the environment variable PLANTED_MPM names the program of
-planted_mpm.cpp, and PYTHONPATH has the package assay. --second: the cases of the folder second. BLIND_HAND=k/n in the
-environment: every nth case from the kth on. Exit 1 if a right code is accused, a name is wrong, or fewer than 90 % of
-the separable mistakes are found, of a hand if more than one in ten or part of it is not; 77 if a package is not there.
+planted_mpm.cpp, and PYTHONPATH has the package assay. --second: the cases of the folder second. Exit 1 if a right code
+is accused, a name is wrong, or fewer than 90 % of the separable mistakes are found; 77 if a package is not there.
 """
 import json
 import math
@@ -126,8 +125,7 @@ def main(program, folder, *only):
     if unknown:
         sys.exit(f"no such case: {', '.join(sorted(unknown))}")
     chosen = [case for case in CASES if not only or case[0] in only or case[2].split("_")[0] in only]
-    hand, hands = (int(part) for part in os.environ.get("BLIND_HAND", "0/1").split("/"))
-    for name, code, scene, cells, change, truth, separable in chosen[hand::hands]:
+    for name, code, scene, cells, change, truth, separable in chosen:
         began = time.perf_counter()
         try:
             found = judged(program, code, scene, cells, change, os.path.join(folder, name))
@@ -144,7 +142,7 @@ def main(program, folder, *only):
     hows = [how for how, _, _ in seen]
     wanted = [how for how, _, separable in seen if separable]
     missed = len(wanted) - wanted.count("ok")
-    allowed = math.floor((1 - LEAST_FOUND) * len(wanted) + 1e-9) if hands == 1 else math.ceil(0.1 * len(wanted))
+    allowed = math.floor((1 - LEAST_FOUND) * len(wanted) + 1e-9)
     accused, failed = hows.count("ACCUSED"), hows.count("FAILED")
     wrong = hows.count("WRONG NAME") + hows.count("WRONG DATA")
     print(f"{len(seen)} cases; right codes accused: {accused} of {sum(t == {'none'} for _, t, _ in seen)}; wrong names:"

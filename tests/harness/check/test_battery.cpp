@@ -14,6 +14,7 @@
 #include "tests/harness/check/margins.hpp"
 #include "tests/harness/check/mutants.hpp"
 #include "tests/harness/jaumann_material.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::check::test_battery {
 namespace {
@@ -62,7 +63,7 @@ void expect_sentences(const std::string& subject, const Report& report) {
 
 /// The rows between the marks of docs/check.md.
 std::vector<std::string> documented_margins() {
-  std::ifstream in(ASSAY_SOURCE_DIR "/docs/check.md");
+  std::ifstream in(tree_folder() + "/docs/check.md");
   std::vector<std::string> rows;
   bool inside = false;
   for (std::string line; std::getline(in, line);) {

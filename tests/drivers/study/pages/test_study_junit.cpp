@@ -7,6 +7,7 @@
 
 #include "tests/drivers/scratch_folder.hpp"
 #include "tests/drivers/study/sample_study.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_study_junit {
 namespace {
@@ -34,8 +35,8 @@ TEST(StudyJunit, is_valid) {
   odd.cases[0].reason = "signal 11 <&\"'> \x01";
   for (const StudyFindings& findings : {sample_study(), odd, StudyFindings()}) {
     const std::string file = scratch.write("study.xml", study_junit(findings)), said = scratch / "said";
-    const std::string command =
-        "xmllint --noout --relaxng '" ASSAY_SOURCE_DIR "/tests/drivers/junit.rng' '" + file + "' > '" + said + "' 2>&1";
+    const std::string command = "xmllint --noout --relaxng '" + tree_folder() + "/tests/drivers/junit.rng' '" + file +
+                                "' > '" + said + "' 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << bytes_of(said) << bytes_of(file);
   }
 }

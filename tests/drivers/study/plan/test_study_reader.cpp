@@ -9,6 +9,7 @@
 #include "drivers/scene/expect.hpp"
 #include "drivers/text/sha256.hpp"
 #include "tests/drivers/study/study_text_fixture.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_study_reader {
 namespace {
@@ -118,7 +119,7 @@ TEST(StudyReader, WhatIsNotGivenHasItsDefault) {
 
 TEST(StudyReader, TheShippedStudiesAreRead) {
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(ASSAY_SOURCE_DIR "/configs/studies")) {
+  for (const auto& entry : std::filesystem::directory_iterator(tree_folder() + "/configs/studies")) {
     if (entry.path().extension() != ".yaml") continue;
     ++count;
     EXPECT_EQ(refusal_of([&] { read_study(entry.path().string()); }), "accepted");

@@ -8,6 +8,7 @@
 #include "drivers/system/input_file.hpp"
 #include "tests/drivers/json_schema.hpp"
 #include "tests/drivers/refusal.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_study_schema {
 namespace {
@@ -31,7 +32,7 @@ TEST(StudySchema, ListsTheKeysOfTheReader) {
 
 TEST(StudySchema, TakesEveryShippedStudy) {
   int seen = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(ASSAY_SOURCE_DIR "/configs/studies")) {
+  for (const auto& entry : std::filesystem::directory_iterator(tree_folder() + "/configs/studies")) {
     if (entry.path().extension() != ".yaml") continue;
     EXPECT_TRUE(schema_takes(read_bytes(entry.path().string()))) << entry.path();
     ++seen;
@@ -39,7 +40,7 @@ TEST(StudySchema, TakesEveryShippedStudy) {
   EXPECT_GE(seen, 6);
 }
 
-const std::string short_study = "scene: " ASSAY_SOURCE_DIR "/configs/paper/vortex_square.yaml\n";
+const std::string short_study = "scene: " + tree_folder() + "/configs/paper/vortex_square.yaml\n";
 
 TEST(StudySchema, TakesEveryFormOfAnAxisASelectionAndASetting) {
   const std::string study = short_study +

@@ -8,6 +8,7 @@
 #include "drivers/study/analysis/clock.hpp"
 #include "drivers/study/run/runner.hpp"
 #include "tests/drivers/study/study_program.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_busy_machine {
 namespace {
@@ -42,7 +43,7 @@ std::string unwrapped(std::string text) {
 
 TEST(BusyMachine, StudyReportComparisonAndRecommendationSaySo) {
   const SmallStudy small(
-      "scene: " ASSAY_SOURCE_DIR
+      "scene: " + tree_folder() +
       "/configs/paper/vortex_square.yaml\n"
       "set: {output.errors: 5, output.pictures: false, body.outside: free, time.end: 0.05, grid.spacing: 0.375}\n"
       "axes: {method: {CPDI: {method.basis: cpdi}}}\ntiming: {repeat: 1, seconds: 1}\n");

@@ -6,14 +6,15 @@
 
 #include "tests/drivers/study/study_program.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_clusters {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::string array_script = ASSAY_SOURCE_DIR "/configs/studies/array.slurm";
-const std::string slurm_of_one_node = ASSAY_SOURCE_DIR "/tests/drivers/study/one_node_slurm.sh";
+const std::string array_script = tree_folder() + "/configs/studies/array.slurm";
+const std::string slurm_of_one_node = tree_folder() + "/tests/drivers/study/one_node_slurm.sh";
 
 /// A shell's command in the folder, with this build's program on the PATH.
 Ending shell_command(const ScratchFolder& scratch, const std::string& command) {

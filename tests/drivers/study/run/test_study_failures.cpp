@@ -5,6 +5,7 @@
 
 #include "tests/drivers/study/study_program.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_study_failures {
 namespace {
@@ -144,7 +145,7 @@ TEST(LongStudyFailures, ACrashElsewhereComesWithAMerge) {
 
 /// Not after hours of work, and without a trace.
 TEST(StudyFolder, OfARunIsRefusedBeforeACaseIsRun) {
-  const std::string study = std::string(ASSAY_SOURCE_DIR) + "/configs/studies/quick.yaml";
+  const std::string study = tree_folder() + "/configs/studies/quick.yaml";
   for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--shard", "1/2"}, {"--merge"}}) {
     const ScratchFolder scratch;
     const std::string file = scratch.write("result.json", "{}");
