@@ -1,6 +1,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A scene is a test: every YAML file under configs/ is run (or tabulated, where it has no method) and must find what
 # its `expect:` says.
+# A change runs the quick ones of each kind; the others have the label `long`.
+set(every_time
+  paper/vortex_cpdi paper/vortex_ugimp paper/tabulate_neo_hookean paper/table1_traction
+  motions/axis_aligned motions/bar_1d motions/homogeneous_shear motions/rigid motions/rotating_stretch
+  motions/twisting_ring motions/vortex3d
+  space/homogeneous space/rotating_stretch
+  frames/vortex_base frames/vortex_basis frames/vortex_rotation frames/vortex_translation
+  foreign/vortex_mfront foreign/vortex_umat foreign/vortex_vumat library/plane_vortex
+  models/vortex_neo_hookean models/vortex_damage methods/best_ring methods/best_total
+  hard/cut_ring hard/flight_1000 hard/near_inverted_05 hard/near_inverted_20 hard/one_a_cell hard/stiff_1e5
+  hard/twisting_ring
+  standard/1/axis_aligned standard/1/axis_aligned_history standard/1/homogeneous_traction
+  standard/1/homogeneous_traction_history standard/1/rotating_stretch standard/1/rotating_stretch_history
+  standard/1/twisting_ring standard/1/vortex3d_small
+  tabulate/rotating_stretch tabulate/simple_shear_loading tabulate/table paths/uniaxial_rubber paths/creep)
+if(ASSAY_SANITIZE) # which takes ten times as long
+  set(every_time paper/tabulate_neo_hookean motions/bar_1d frames/vortex_base foreign/vortex_umat library/plane_vortex
+    hard/cut_ring hard/twisting_ring standard/1/axis_aligned standard/1/homogeneous_traction
+    standard/1/rotating_stretch tabulate/table)
+endif()
+
 file(GLOB_RECURSE scenes CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/configs ${PROJECT_SOURCE_DIR}/configs/*.yaml)
 list(FILTER scenes EXCLUDE REGEX "^studies/")
 foreach(scene IN LISTS scenes)
@@ -30,11 +51,15 @@ foreach(scene IN LISTS scenes)
     COMMAND assay ${verb} ${PROJECT_SOURCE_DIR}/configs/${scene} -o ${PROJECT_BINARY_DIR}/scenes/${name} --quiet ${sets})
   set_property(TEST scene/${name} APPEND PROPERTY ENVIRONMENT ${test_environment}
     "ASSAY_DATA_HOME=${PROJECT_BINARY_DIR}/data" "ASSAY_MATERIAL_PATH=${PROJECT_BINARY_DIR}/tests/foreign")
-  # Each change runs one of a kind, and those that take less than two seconds.
   if(NOT name IN_LIST every_time)
     set_tests_properties(scene/${name} PROPERTIES LABELS long)
   endif()
 endforeach()
+list(TRANSFORM every_time APPEND ".yaml" OUTPUT_VARIABLE named)
+list(REMOVE_ITEM named ${scenes})
+if(named)
+  message(FATAL_ERROR "tests/scenes.cmake: no such scene: ${named}")
+endif()
 
 # As it stands.
 add_test(NAME scene/hard/stiff_1e5_fine COMMAND assay run ${PROJECT_SOURCE_DIR}/configs/hard/stiff_1e5.yaml
@@ -57,4 +82,5 @@ foreach(name IN ITEMS quick traction)
     "ASSAY_DATA_HOME=${PROJECT_BINARY_DIR}/data")
 endforeach()
 set_tests_properties(study/quick study/traction PROPERTIES LABELS long) # half a minute each
-set_tests_properties(study/offsets_is_valid study/hard_is_valid PROPERTIES LABELS long) # 1,200 cases; histories
+set_tests_properties(study/offsets_is_valid study/hard_is_valid study/updated_space_is_valid study/remedies_is_valid
+  PROPERTIES LABELS long) # 1,200 cases; histories

@@ -18,6 +18,7 @@
 #include "adapters/elf_symbols.hpp"
 #include "adapters/library.hpp"
 #include "harness/material/material.hpp"
+#include "harness/material/stack_below.hpp"
 
 namespace assay::adapters {
 
@@ -180,13 +181,10 @@ std::string missing_words(const std::vector<std::string>& missing) {
 }
 
 std::optional<std::string> ended_in(const std::function<void()>& body) {
-  // The model's variables lie below what the bridge has left in the stack, which is the same in every call: `check`
-  // finds those that are read before they are set by what was there earlier.
-  char room[1 << 12];
-  __asm__ volatile("" : : "r"(room) : "memory");
   std::jmp_buf here;
   if (setjmp(here) == 0) {  // nothing here is changed between this and the way back
     way_back = &here;
+    fill_unset_memory();
     body();
     way_back = nullptr;
     return std::nullopt;

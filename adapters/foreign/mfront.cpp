@@ -5,6 +5,7 @@
 
 #include "adapters/foreign/foreign_state.hpp"
 #include "adapters/foreign/kinematics.hpp"
+#include "harness/material/stack_below.hpp"
 
 namespace assay::adapters {
 
@@ -166,6 +167,7 @@ std::int32_t Mfront::call(double dt) {
   MfrontData data{message,          dt / model_.units.time, arrays_[operator_], s + rdt, s + speed_of_sound,
                   pointers(begin_), pointers(end_)};
   inputs_.keep(arrays_);
+  fill_unset_memory();
   const int status = reinterpret_cast<MfrontEntry>(table_.entry)(&data);
   message[ASSAY_MESSAGE_SIZE - 1] = '\0';
   const auto broken = inputs_.broken_fence(arrays_);

@@ -7,6 +7,7 @@
 #include "adapters/foreign/foreign_table.hpp"
 #include "drivers/check/check_foreign.hpp"
 #include "drivers/material/material_description.hpp"
+#include "harness/material/stack_below.hpp"
 
 namespace assay::drivers {
 
@@ -60,6 +61,7 @@ Fills filled_by(const Described& described, const std::map<std::string, double>&
   constexpr double limit_s = 20;
   const auto rows = made_elsewhere(
       [&]() -> check::History {
+        const OverStack zeros(0);  // as in the battery
         place_model_files(described.files);
         const Material material(adapters::foreign_table(described.model), parameters);
         return {stress_of(material, in_11), stress_of(material, in_33), stress_of(material, shear_12),

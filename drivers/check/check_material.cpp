@@ -15,6 +15,7 @@
 #include "drivers/system/own_files.hpp"
 #include "drivers/system/whole_file.hpp"
 #include "harness/check/judge.hpp"
+#include "harness/material/stack_below.hpp"
 #include "harness/numeric/stopwatch.hpp"
 
 namespace assay::drivers {
@@ -105,6 +106,7 @@ std::vector<std::string> tests_of_check() {
 }
 
 ResolvedMaterial in_this_process(const ResolvedMaterial& apart) {
+  const OverStack zeros(0);
   MaterialChoice choice = apart.choice;
   if (!apart.library.empty()) choice.adapter = apart.library + ":" + apart.material.name();
   if (!apart.description.empty()) choice.adapter = apart.description;
@@ -117,6 +119,7 @@ ResolvedMaterial in_this_process(const ResolvedMaterial& apart) {
 
 CheckedMaterial check_material(const ResolvedMaterial& material, const std::string& name, const CheckSettings& settings,
                                const CheckReporter& reporter) {
+  const OverStack zeros(0);  // a check begins from the same stack wherever it runs
   const Stopwatch watch;
   CheckedMaterial checked;
   checked.name = name;

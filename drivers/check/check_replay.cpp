@@ -9,6 +9,7 @@
 #include "drivers/system/terminal.hpp"
 #include "drivers/text/numbers.hpp"
 #include "drivers/text/wrapped_text.hpp"
+#include "harness/material/stack_below.hpp"
 
 namespace assay::drivers {
 
@@ -16,6 +17,7 @@ namespace {
 
 /// The step alone: "step". `is_all`: nothing else of the failure is repeated.
 check::TestResult step_again(const Material& material, const FailedStep& step, bool is_all) {
+  const OverStack zeros(0);  // as where it failed
   check::TestResult result{.id = "step", .verdict = check::Verdict::fail, .step = step};
   UpdateReport report;
   const Answer answer = answer_of(material, step, &report);

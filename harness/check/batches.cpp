@@ -10,6 +10,7 @@
 
 #include "harness/check/tests.hpp"
 #include "harness/material/progress_mark.hpp"
+#include "harness/material/stack_below.hpp"
 #include "harness/numeric/parallel.hpp"
 
 namespace assay::check {
@@ -181,6 +182,7 @@ double in_threads(const Material& material, const std::vector<Steps>& batches,
   std::atomic<bool> found{false};
   std::atomic<int> begun{0};
   for_each_index(at_once, {.threads = at_once}, [&](int thread) {
+    const OverStack zeros(0);  // as in the thread of the tests
     const auto k = static_cast<std::size_t>(thread);
     const Material& mine = material.has(ASSAY_THREAD_SAFE) ? own.front() : own[k];
     await_others(begun);

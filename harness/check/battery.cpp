@@ -7,6 +7,7 @@
 
 #include "harness/check/diagnosis.hpp"
 #include "harness/check/work.hpp"
+#include "harness/material/stack_below.hpp"
 #include "harness/material/thrown.hpp"
 #include "harness/numeric/stopwatch.hpp"
 
@@ -231,6 +232,7 @@ Report at_smaller_strains(const Material& material, const Options& options) {
 }  // namespace
 
 Report run_battery(const Material& material, const Options& asked) {
+  const OverStack zeros(0);
   const bool usual = asked.effort.step == 1;
   const std::optional<Material> paced = usual ? std::nullopt : std::optional(at_pace(material, asked.effort.step));
   const Material& own = usual ? material : *paced;

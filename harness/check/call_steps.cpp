@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "harness/check/call_steps.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -117,13 +116,6 @@ std::vector<Result> one_by_one(const Material& material, const Steps& steps) {
   std::vector<Result> results;
   for (std::size_t p = 0; p < steps.n; ++p) results.push_back(alone(material, steps, p));
   return results;
-}
-
-[[gnu::noinline]] void litter_stack(unsigned char byte) {
-  constexpr std::size_t reach = 48 << 10;  // [bytes], beyond the arrays of `Material::update`
-  std::array<unsigned char, reach> room;
-  std::memset(room.data(), byte, room.size());
-  __asm__ volatile("" : : "r"(room.data()) : "memory");
 }
 
 Comparison::Comparison(const assay_material& table, const std::vector<Result>& expected)

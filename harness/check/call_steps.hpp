@@ -89,9 +89,6 @@ Result alone(const Material& material, const Steps& steps, std::size_t p, std::s
 /// All of them, each alone.
 std::vector<Result> one_by_one(const Material& material, const Steps& steps);
 
-/// What the next call finds on its stack, where it reads before it writes.
-void litter_stack(unsigned char byte);
-
 /// Relative to the largest stress; of the state each component to the largest of its variable.
 class Comparison {
  public:

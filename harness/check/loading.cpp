@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Why a material cannot be loaded at all, how far and in which steps it can, and what the tests have not seen of it.
+#include <algorithm>
+#include <iterator>
 #include <system_error>
 
 #include "harness/check/tests.hpp"
 #include "harness/material/offer.hpp"
+#include "harness/material/stack_below.hpp"
 
 namespace assay::check {
 
@@ -17,6 +20,14 @@ class Trials {
   /// The same step, asked for again, also of an instance of its own.
   bool again() const {
     return failure_.step && (takes(material_, *failure_.step) || takes(material_.clone(), *failure_.step));
+  }
+  /// The same step, over other numbers in the memory that `Over` fills.
+  template <class Over>
+  bool over_others() const {
+    return std::any_of(std::begin(unset_bytes), std::end(unset_bytes), [&](unsigned char byte) {
+      const Over memory(byte);
+      return failure_.step && takes(material_, *failure_.step);
+    });
   }
   bool undeformed() const { return stands(Tensor::Identity(), Tensor::Identity()); }
   /// A body that is strained in general, and does not move.
@@ -104,6 +115,12 @@ TestResult not_loaded(const Material& material, const std::runtime_error& error)
   if (trials.again()) {
     plain.cause = causes::hidden_state;
     plain.sentence += "; when the same step is repeated, it takes it: data is kept outside the state, or is never set";
+  } else if (trials.over_others<OverStack>()) {
+    plain.cause = causes::hidden_state, plain.refused = false;
+    plain.sentence += "; if the stack holds other numbers, it takes it: a local variable is read before it is set";
+  } else if (trials.over_others<OverHeap>()) {
+    plain.cause = causes::hidden_state, plain.refused = false;
+    plain.sentence += "; if allocated memory holds other numbers, it takes it: an array is read before it is set";
   } else if (trials.general_strains() && !trials.held()) {
     plain.sentence += "; in a step in which a strained body does not move, too";
   } else if (trials.only_different_stretches()) {

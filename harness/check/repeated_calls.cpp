@@ -3,18 +3,18 @@
 #include <alloca.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <deque>
 #include <map>
-#include <memory>
 
 #include "harness/check/tests.hpp"
+#include "harness/material/stack_below.hpp"
 
 namespace assay::check {
 
 namespace {
+
+constexpr double most_of_repeats = 1e-12;  ///< what is below is judged at the end of the battery
 
 /// The first histories of the process again, small after large.
 void compare_histories(const Specimen& specimen, const std::vector<History>& first, Difference& difference) {
@@ -74,20 +74,50 @@ void compare_instances(const Specimen& specimen, const Steps& steps, const Compa
                   "of an instance of other parameters, the first of a process,");
 }
 
-/// How far a step differs over other numbers in the stack; 0 where it differs over the same ones, too.
-double by_stack(const Material& material, const Steps& steps) {
-  double worst = 0;
-  for (std::size_t p = 0; p < steps.n; p += 3) {
-    const auto over = [&](unsigned char byte) {
-      litter_stack(byte);
-      return alone(material, steps, p);
-    };
-    const std::vector<Result> first{over(0)};
-    const Comparison with(material.table(), first);
-    const double same = std::max(with.difference(0, over(0)), with.difference(0, over(0)));
-    if (same == 0) worst = std::max({worst, with.difference(0, over(0x3f)), with.difference(0, over(0xc0))});
+/// What other numbers do to a step in memory that nobody has set.
+struct MemoryEffect {
+  double differs = 0;  ///< at most, of its value
+  bool fails = false;  ///< it is refused, or no number
+  bool matters() const { return fails || differs > most_of_repeats; }
+  double measure() const { return differs > most_of_repeats ? differs : INFINITY; }
+  std::string words() const {
+    return differs > most_of_repeats ? "differs by " + rounded(differs) + " of its value" : "is refused, or no number,";
   }
-  return worst;
+};
+
+/// A step alone, over a byte in the memory that `Over` fills.
+template <class Over>
+Result alone_over(unsigned char byte, const Material& material, const Steps& steps, std::size_t p) {
+  const Over memory(byte);
+  return alone(material, steps, p);
+}
+
+/// Steps that differ over the same numbers, too, tell nothing of these.
+template <class Over>
+void compare_over(const Material& material, const Steps& steps, MemoryEffect& effect) {
+  for (std::size_t p = 0; p < steps.n; p += 3) {
+    const std::vector<Result> zeros{alone_over<Over>(0, material, steps, p)};
+    const Comparison with(material.table(), zeros);
+    const auto over = [&](unsigned char byte) {
+      return with.difference(0, alone_over<Over>(byte, material, steps, p));
+    };
+    if (over(0) > 0 || over(0) > 0) continue;
+    for (const unsigned char byte : unset_bytes) {
+      const double difference = over(byte);
+      if (!(difference > most_of_repeats) || over(0) > 0) continue;
+      if (std::isfinite(difference)) effect.differs = std::max(effect.differs, difference);
+      effect.fails |= !std::isfinite(difference);
+    }
+  }
+}
+
+/// In the middle of a history, and from rest: a model may ask for the first step of a point.
+template <class Over>
+MemoryEffect effect_of(const Specimen& specimen, const Steps& steps) {
+  MemoryEffect effect;
+  compare_over<Over>(specimen, steps, effect);
+  compare_over<Over>(specimen, steps_from_rest(specimen, 4, specimen.amplitude), effect);
+  return effect;
 }
 
 /// Steps in other orders, after larger loads, of another instance.
@@ -124,24 +154,27 @@ std::map<std::string, double> other_parameters(const Material& material) {
 }
 
 TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& first, Difference& found) {
-  constexpr double most = 1e-12;  // what is below is judged at the end of the battery
   Difference difference;
-  double of_stack = 0;
+  MemoryEffect of_stack, of_heap;
   compare_histories(specimen, first, difference);
   try {
     const Steps steps = steps_along(specimen, specimen.options.effort.quick ? 12 : 40);
     compare_steps(specimen, steps, difference);
-    of_stack = by_stack(*specimen.material, steps);
+    of_stack = effect_of<OverStack>(specimen, steps);
+    of_heap = effect_of<OverHeap>(specimen, steps);
     compare_shears(specimen, steps, difference);
   } catch (const MaterialFailure&) {  // where it is loaded while it turns: the tests of rotation tell
   }
   found = difference;
-  if (of_stack > most) {
-    return failed(causes::hidden_state, std::max(of_stack, difference.worst), most,
-                  "the same step differs by " + rounded(of_stack) +
-                      " of its value if the stack holds other numbers: a local variable is read before it is set");
-  }
-  return judged(difference.worst, most,
+  const auto by_memory = [&](const MemoryEffect& effect, const char* why) {
+    return failed(causes::hidden_state, std::max(effect.measure(), difference.worst), most_of_repeats,
+                  "the same step " + effect.words() + why);
+  };
+  if (of_stack.matters())
+    return by_memory(of_stack, " if the stack holds other numbers: a local variable is read before it is set");
+  if (of_heap.matters())
+    return by_memory(of_heap, " if allocated memory holds other numbers: an array is read before it is set");
+  return judged(difference.worst, most_of_repeats,
                 "a step has the same result when it is repeated, in another order or by another instance",
                 causes::hidden_state,
                 "the same step " + difference.how + " differs by " + rounded(difference.worst) +
@@ -149,21 +182,6 @@ TestResult repeated_calls(const Specimen& specimen, const std::vector<History>& 
 }
 
 namespace {
-
-/// Doubles of such bytes are 0, 4.8e-4, -8.5e3 and no number.
-constexpr std::array<unsigned char, 4> litter{0x00, 0x3f, 0xc0, 0xff};
-
-/// What it finds in memory that it allocates.
-void litter_heap(unsigned char byte) {
-  constexpr std::array<std::size_t, 10> sizes{24, 48, 72, 144, 288, 328, 648, 1024, 2048, 6400};  // [bytes]
-  std::array<std::unique_ptr<unsigned char[]>, 2 * sizes.size()> blocks;
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const std::size_t size = sizes[k / 2];
-    blocks[k] = std::make_unique_for_overwrite<unsigned char[]>(size);
-    std::memset(blocks[k].get(), byte, size);
-    __asm__ volatile("" : : "r"(blocks[k].get()) : "memory");
-  }
-}
 
 /// A call so many bytes deeper in the stack: multiples of 64 leave the alignment of what is there.
 [[gnu::noinline]] auto deeper(std::size_t bytes, const auto& call) {
@@ -206,9 +224,9 @@ class Repeats {
   void take_again(std::size_t p) {
     const auto call = [&] { return alone(material(), steps_, p); };
     note(p, call(), "taken again");
-    for (const unsigned char byte : litter) {
-      litter_heap(byte);
-      litter_stack(byte);
+    for (const unsigned char byte : unset_bytes) {
+      const OverHeap heap(byte);
+      const OverStack stack(byte);
       note(p, call(), "with other words left in memory by earlier calls");
     }
     for (const std::size_t lines : {1, 2, 3, 77}) {

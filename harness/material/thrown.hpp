@@ -12,6 +12,7 @@
 
 #include "harness/material/own_process.hpp"
 #include "harness/material/progress_mark.hpp"
+#include "harness/material/stack_below.hpp"
 #include "harness/numeric/arithmetic.hpp"
 
 namespace assay {
@@ -42,6 +43,7 @@ std::string thrown_by(Function* function, const Call& call) {
   const void* code = reinterpret_cast<const void*>(function);
   const CallMark mark;
   try {
+    fill_unset_memory();
     call();
     end_a_copy();
     return {};

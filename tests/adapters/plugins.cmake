@@ -33,6 +33,12 @@ add_test_plugin(unturned ${PROJECT_SOURCE_DIR}/tests/downstream/unturned.c)
 target_include_directories(test_plugin_unturned PRIVATE ${PROJECT_SOURCE_DIR})
 add_test_plugin(frozen_1_0 ${CMAKE_CURRENT_LIST_DIR}/frozen_1_0/plugin.c) # sees its own header alone
 
+# Loaded before the program, which then begins on a stack of known bytes.
+add_library(fill_stack MODULE ${PROJECT_SOURCE_DIR}/tests/support/fill_stack.c)
+target_link_libraries(fill_stack PRIVATE assay_options)
+set_target_properties(fill_stack PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+list(APPEND test_plugins fill_stack)
+
 if(TARGET test_drivers)
   add_dependencies(test_drivers assay) # some tests run the program itself
 endif()

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "tests/docs/snippets.hpp"
 #include "tests/house/tree.hpp"
@@ -33,8 +34,16 @@ TEST_P(Snippets, SayWhatTheyAre) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Docs, Snippets, testing::ValuesIn(pages()),
-                         [](const auto& page) { return stem_of(page.param); });
+/// Those whose commands take more than five seconds of one core.
+std::vector<std::string> pages_that_take(bool long_) {
+  const std::set<std::string> slow{"standard", "scenes", "paths", "resolution", "ci", "report", "commands", "python"};
+  std::vector<std::string> chosen = pages();
+  std::erase_if(chosen, [&](const std::string& page) { return slow.contains(stem_of(page)) != long_; });
+  return chosen;
+}
+const auto name_of_page = [](const auto& page) { return stem_of(page.param); };
+INSTANTIATE_TEST_SUITE_P(Docs, Snippets, testing::ValuesIn(pages_that_take(false)), name_of_page);
+INSTANTIATE_TEST_SUITE_P(LongDocs, Snippets, testing::ValuesIn(pages_that_take(true)), name_of_page);
 
 std::string complaint_of(const std::string& markdown) {
   const Page page = parse_page("page.md", markdown);

@@ -201,7 +201,7 @@ std::set<std::string> files_of(const fs::path& folder) {
   return names;
 }
 
-TEST(Tables, ResultsOfARunAreExplained) {
+TEST(LongTables, ResultsOfARunAreExplained) {
   const fs::path out = docs::scratch_folder("tables_run") / "out";
   const auto ran =
       house::run_assay("run '" + tree_folder() + "/configs/paper/vortex_cpdi.yaml' --quiet --json -o '" + out.string() +
@@ -226,7 +226,7 @@ TEST(Tables, ResultsOfARunAreExplained) {
   EXPECT_GE(arrays, 6);
 }
 
-TEST(Tables, ResultsOfTabulateAndEvalAreExplained) {
+TEST(LongTables, ResultsOfTabulateAndEvalAreExplained) {
   const fs::path folder = docs::scratch_folder("tables_sheet"), out = folder / "out";
   const auto write = [&](const char* name, const char* text) { std::ofstream(folder / name) << text; };
   write("sheet_points.csv", "xi,t\n1,0.5\n");

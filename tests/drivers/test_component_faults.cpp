@@ -111,8 +111,9 @@ class FaultOfAComponent : public testing::TestWithParam<Interface> {
     if (!GetParam().exists()) GTEST_SKIP() << "no Fortran compiler";
   }
 };
+using LongFaultOfAComponent = FaultOfAComponent;
 
-TEST_P(FaultOfAComponent, FailsTheBallAboutATiltedAxis) {
+TEST_P(LongFaultOfAComponent, FailsTheBallAboutATiltedAxis) {
   const PosedRun<3> ball(GetParam(), "space/ball_stiff", "1.0e+5");
   const Result right = ball.run(none);
   EXPECT_TRUE(meets_its_expectations(right)) << *right.error.l2_max;
@@ -124,7 +125,7 @@ TEST_P(FaultOfAComponent, FailsTheBallAboutATiltedAxis) {
 }
 
 // Not a bit of its error, though the body force is made from the model with the mistake.
-TEST_P(FaultOfAComponent, In13Or23LeavesThePlaneVortexAsItIs) {
+TEST_P(LongFaultOfAComponent, In13Or23LeavesThePlaneVortexAsItIs) {
   const PosedRun<2> plane(GetParam(), "methods/best_total", "1.0e+3",
                           {"grid.spacing=0.09375", "motion.amplitude.peak=0.3"});
   const Result right = plane.run(none);
@@ -145,7 +146,7 @@ TEST_P(FaultOfAComponent, In13Or23LeavesThePlaneVortexAsItIs) {
 }
 
 // Before a particle moves: the response of the ball is that of one shear in any orientation.
-TEST_P(FaultOfAComponent, IsSeenBeforeTheRun) {
+TEST_P(LongFaultOfAComponent, IsSeenBeforeTheRun) {
   const auto ending_with = [&](Fault fault) {
     const ScratchFolder scratch;
     return assay({"run", file_of("space/ball_stiff"), "-o", scratch / "out", "--quiet", "--set", "grid.spacing=0.5",
@@ -161,6 +162,8 @@ TEST_P(FaultOfAComponent, IsSeenBeforeTheRun) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Interfaces, FaultOfAComponent, testing::ValuesIn(interfaces),
+                         [](const auto& which) { return which.param.name; });
+INSTANTIATE_TEST_SUITE_P(Interfaces, LongFaultOfAComponent, testing::ValuesIn(interfaces),
                          [](const auto& which) { return which.param.name; });
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/some_of.hpp"
 
 namespace assay::drivers::test_damaged_libraries {
 namespace {
@@ -85,15 +86,18 @@ TEST_P(DamagedLibrary, UndamagedServes) {
   expect_decent(ending, "materials");
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Interfaces, DamagedLibrary,
-    testing::Values(Library{"native", built("materials/libneo_hookean.so"), ""},
-                    Library{"umat", built("tests/foreign/umat_j2.so"),
-                            "interface: umat\nproperties: [1e3, 0.3, 10, 20, 50]\n"
-                            "state: {back_stress: symmetric_tensor, p: scalar}\n"},
-                    Library{"mfront", built("tests/foreign/mfront_norton.so"),
-                            "interface: mfront\nproperties: {YoungModulus: 1e3, PoissonRatio: 0.3}\n"}),
-    [](const auto& instance) { return std::string(instance.param.name); });
+const auto cases_of_damaged_library = one_of_each<DamagedLibrary::ParamType>(
+    4, testing::Values(Library{"native", built("materials/libneo_hookean.so"), ""},
+                       Library{"umat", built("tests/foreign/umat_j2.so"),
+                               "interface: umat\nproperties: [1e3, 0.3, 10, 20, 50]\n"
+                               "state: {back_stress: symmetric_tensor, p: scalar}\n"},
+                       Library{"mfront", built("tests/foreign/mfront_norton.so"),
+                               "interface: mfront\nproperties: {YoungModulus: 1e3, PoissonRatio: 0.3}\n"}));
+const auto name_of_damaged_library = [](const auto& instance) { return std::string(instance.param.name); };
+INSTANTIATE_TEST_SUITE_P(Interfaces, DamagedLibrary, testing::ValuesIn(cases_of_damaged_library.some),
+                         name_of_damaged_library);
+INSTANTIATE_TEST_SUITE_P(LongInterfaces, DamagedLibrary, testing::ValuesIn(cases_of_damaged_library.others),
+                         name_of_damaged_library);
 
 /// What no random damage hits every time.
 TEST(DamagedLibraries, ANativeOneThatEndsTheProcessIsRefused) {

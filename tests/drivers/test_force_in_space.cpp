@@ -77,7 +77,7 @@ struct Ball {
   Vector3 axis;
 };
 
-TEST(ForceInSpace, WithoutItsPartAlongTheAxisOrAlongZItFailsTheBallOfMooneyRivlin) {
+TEST(LongForceInSpace, WithoutItsPartAlongTheAxisOrAlongZItFailsTheBallOfMooneyRivlin) {
   const Ball ball("ball_mooney_rivlin");
   EXPECT_LT(ball.largest_error(Vector3::Zero()), ball.bound());
   EXPECT_GT(ball.largest_error(ball.axis), ball.bound());
@@ -85,7 +85,7 @@ TEST(ForceInSpace, WithoutItsPartAlongTheAxisOrAlongZItFailsTheBallOfMooneyRivli
 }
 
 // tau33 is zero, and b has no part along the axis that could be missed.
-TEST(ForceInSpace, OfNeoHookeanHasNoPartAlongTheAxis) {
+TEST(LongForceInSpace, OfNeoHookeanHasNoPartAlongTheAxis) {
   const Ball ball("ball_bspline2");
   const double right = ball.largest_error(Vector3::Zero());
   EXPECT_LT(right, ball.bound());

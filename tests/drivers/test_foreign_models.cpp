@@ -50,8 +50,9 @@ std::vector<std::vector<double>> columns_of(const std::string& file) {
 }
 
 class ForeignVortex : public testing::TestWithParam<const char*> {};
+using LongForeignVortex = ForeignVortex;
 
-TEST_P(ForeignVortex, AgreesWithTheNativeModel) {
+TEST_P(LongForeignVortex, AgreesWithTheNativeModel) {
   constexpr double agreement = 1e-12;  // of the largest value of each column
   const std::string name = GetParam();
   if (!built(name + "_neo_hookean")) GTEST_SKIP() << "no Fortran compiler";
@@ -77,7 +78,7 @@ TEST_P(ForeignVortex, AgreesWithTheNativeModel) {
   EXPECT_NE(profile.find("\"isolation\""), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Interfaces, ForeignVortex, testing::Values("umat", "vumat", "mfront"),
+INSTANTIATE_TEST_SUITE_P(Interfaces, LongForeignVortex, testing::Values("umat", "vumat", "mfront"),
                          [](const auto& instance) { return std::string(instance.param); });
 
 /// What `tabulate` found of the small J2 scene.
@@ -104,7 +105,7 @@ Tabulated tabulated(const ScratchFolder& scratch, const std::string& name, const
 
 /// A UMAT with kinks, whether another state counts plastic strain or holds a back stress alone: bounds of counts, which
 /// do not depend on the machine. Its own error of first order costs it several times the calls of the built-in model.
-TEST(ForeignModels, AUmatOfJ2TakesCountedCallsAndFewHandOvers) {
+TEST(LongForeignModels, AUmatOfJ2TakesCountedCallsAndFewHandOvers) {
   if (!built("umat_j2")) GTEST_SKIP() << "no Fortran compiler";
   constexpr double agreement = 2e-5, more_calls = 8;  // of the largest value; over those of the built-in model
   constexpr std::int64_t calls_a_hand_over = 500;
@@ -133,7 +134,7 @@ TEST(ForeignModels, AUmatOfJ2TakesCountedCallsAndFewHandOvers) {
   }
 }
 
-TEST(ForeignModels, ARunSaysWhatIsReadBeyondTheState) {
+TEST(LongForeignModels, ARunSaysWhatIsReadBeyondTheState) {
   if (!has_gfortran()) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
   const auto run = [&](const std::string& statements, const std::string& state) {

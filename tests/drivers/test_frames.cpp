@@ -36,7 +36,7 @@ void expect_alike(const std::string& basis) {
   }
 }
 
-TEST(Frames, TheMethodErrsAlikeInAllOfThem) { expect_alike("method.basis=cpdi"); }
+TEST(LongFrames, TheMethodErrsAlikeInAllOfThem) { expect_alike("method.basis=cpdi"); }
 TEST(LongFrames, AnotherMethodErrsAlikeInAllOfThem) { expect_alike("method.basis=ugimp"); }
 
 void expect_seen_alike(const std::string& body, const std::string& evaluation) {
@@ -51,7 +51,7 @@ const std::string polar = "body={domain: ring, lattice: polar}", whole = "body={
                   square = "body={domain: square, outside: free}", point = "force.evaluation=point",
                   average = "force.evaluation=domain_average";
 
-TEST(Frames, BodiesOfEveryLatticeAndEvaluationAreSeenAlike) {
+TEST(LongFrames, BodiesOfEveryLatticeAndEvaluationAreSeenAlike) {
   expect_seen_alike(polar, average);
   expect_seen_alike(whole, point);  // averaged it carries the wrong force for its mass in every frame
   expect_seen_alike(square, average);
@@ -63,7 +63,7 @@ TEST(LongFrames, BodiesAreSeenAlikeWithTheirOtherEvaluation) {
 
 /// The direction turns with the body. Measured: 1.02 times the error in the body's own frame when turned, 1.4 times in
 /// the spinning frame.
-TEST(Frames, AMaterialWithADirectionTurnsWithTheBody) {
+TEST(LongFrames, AMaterialWithADirectionTurnsWithTheBody) {
   const std::string scene = "models/vortex_orthotropic_cylindrical";
   const std::vector<std::string> sets{"body={domain: ring}", "material.direction=[0.8, 0.6, 0]", "method.courant=0.4"};
   auto turned = sets, spinning = sets;

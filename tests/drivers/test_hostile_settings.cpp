@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/drivers/misdeeds.hpp"
+#include "tests/support/some_of.hpp"
 #include "tests/support/wait.hpp"
 
 namespace assay::drivers::test_hostile_settings {
@@ -68,11 +69,16 @@ TEST_P(HostileSettings, AreToldByCheck) {
   EXPECT_FALSE(fs::is_empty(the_.scratch / "r")) << "replays can be written";
 }
 
-INSTANTIATE_TEST_SUITE_P(Deeds, HostileSettings, testing::Values("umask", "close", "leak", "read", "zero", "fork"),
-                         [](const auto& instance) { return std::string(instance.param); });
+const auto cases_of_hostile_settings =
+    one_of_each<HostileSettings::ParamType>(3, testing::Values("umask", "close", "leak", "read", "zero", "fork"));
+const auto name_of_hostile_settings = [](const auto& instance) { return std::string(instance.param); };
+INSTANTIATE_TEST_SUITE_P(Deeds, HostileSettings, testing::ValuesIn(cases_of_hostile_settings.some),
+                         name_of_hostile_settings);
+INSTANTIATE_TEST_SUITE_P(LongDeeds, HostileSettings, testing::ValuesIn(cases_of_hostile_settings.others),
+                         name_of_hostile_settings);
 
 /// In each call, so that no repetition gets by.
-TEST(StoppedProcesses, AreEndedByTheLimitOfACall) {
+TEST(LongStoppedProcesses, AreEndedByTheLimitOfACall) {
   for (const char* deed : {"each stop", "each stop_parent"}) {
     const Misdeeds the;
     const std::string model = the.scratch.write("model.yaml", "library: " + the.library + "\ntime_limit: 1\n");

@@ -7,6 +7,7 @@
 
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/some_of.hpp"
 #include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_misbehaving_models {
@@ -137,8 +138,12 @@ TEST_P(MisbehavingModel, IsNamedByARunAndAgainByItsReplay) {
   EXPECT_NE(one_line_of(again.said).find(m.said_by_run), std::string::npos) << again.said;
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, MisbehavingModel, testing::ValuesIn(all),
-                         [](const auto& instance) { return std::string(instance.param.name); });
+const auto cases_of_misbehaving_model = one_of_each<MisbehavingModel::ParamType>(3, testing::ValuesIn(all));
+const auto name_of_misbehaving_model = [](const auto& instance) { return std::string(instance.param.name); };
+INSTANTIATE_TEST_SUITE_P(Kinds, MisbehavingModel, testing::ValuesIn(cases_of_misbehaving_model.some),
+                         name_of_misbehaving_model);
+INSTANTIATE_TEST_SUITE_P(LongKinds, MisbehavingModel, testing::ValuesIn(cases_of_misbehaving_model.others),
+                         name_of_misbehaving_model);
 
 /// As MFront's behaviours do, compiled with assertions: in a worker that is a refusal.
 TEST(AssertingModel, MayDieOfAnFThatIsNoNumber) {

@@ -22,7 +22,7 @@ nlohmann::json result_of(const std::vector<std::string>& sets) {
   return nlohmann::json::parse(bytes_of(scratch / "out/result.json"));
 }
 
-TEST(PlanesInSpace, ASliceErrsAsTheWholeCube) {
+TEST(LongPlanesInSpace, ASliceErrsAsTheWholeCube) {
   const auto slice = result_of({"time.step=0.01"});
   const auto whole = result_of({"time.step=0.01",
                                 "body={domain: box, lower: [-1, -1, -1], upper: [1, 1, 1], per_cell: [2, 2, 2], "

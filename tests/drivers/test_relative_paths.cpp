@@ -29,8 +29,9 @@ class RelativePaths : public RegistryTest {
     });
   }
 };
+using LongRelativePaths = RelativePaths;
 
-TEST_F(RelativePaths, TheSearchPathServesEveryVerb) {
+TEST_F(LongRelativePaths, TheSearchPathServesEveryVerb) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"materials", "law.yaml"},
                                                 {"check", "law.yaml", "--quick"},
                                                 {"check", "law_here", "--quick"},

@@ -24,6 +24,9 @@ struct Limit {
 
 class Shortage : public testing::TestWithParam<Limit> {
  protected:
+  void SetUp() override {
+    if (sanitized()) GTEST_SKIP() << "the sanitizer itself needs more";
+  }
   Ending program(const std::vector<std::string>& words) const {
     return assay(words, [this] {
       the_.arm("");
@@ -103,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Processes, KilledFromOutside, testing::Bool(),
                          [](const auto& instance) { return instance.param ? "worker" : "warden"; });
 
 /// Whoever dies of it is not to blame, and who dies softly says why.
-TEST(ProcessorTime, ThatIsLimitedIsNoVerdict) {
+TEST(LongProcessorTime, ThatIsLimitedIsNoVerdict) {
   const Misdeeds the;
   for (const bool hard : {false, true}) {
     const auto limited = [&] {
@@ -129,7 +132,7 @@ TEST(ProcessorTime, ThatIsLimitedIsNoVerdict) {
   }
 }
 
-TEST(ProcessorTime, OfTheCasesOfAStudyIsNoFinding) {
+TEST(LongProcessorTime, OfTheCasesOfAStudyIsNoFinding) {
   const ScratchFolder scratch;
   const std::string study = scratch.write(
       "study.yaml", "scene: " + tree_folder() + "/configs/paper/vortex_cpdi.yaml\naxes:\n  grid.spacing: [0.01]\n");

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/drivers/misdeeds.hpp"
+#include "tests/support/some_of.hpp"
 
 namespace assay::drivers::test_thrown {
 namespace {
@@ -97,8 +98,10 @@ std::string name_of(const testing::TestParamInfo<std::tuple<const char*, const c
   return std::get<0>(instance.param) + std::string("_") + std::get<1>(instance.param);
 }
 
-INSTANTIATE_TEST_SUITE_P(Functions, ThrownAnywhere,
-                         testing::Combine(testing::ValuesIn(functions), testing::Values("none", "worker")), name_of);
+const auto cases_of_thrown_anywhere = one_of_each<ThrownAnywhere::ParamType>(
+    3, testing::Combine(testing::ValuesIn(functions), testing::Values("none", "worker")));
+INSTANTIATE_TEST_SUITE_P(Functions, ThrownAnywhere, testing::ValuesIn(cases_of_thrown_anywhere.some), name_of);
+INSTANTIATE_TEST_SUITE_P(LongFunctions, ThrownAnywhere, testing::ValuesIn(cases_of_thrown_anywhere.others), name_of);
 
 class ThrownInCheck : public Thrown {};
 

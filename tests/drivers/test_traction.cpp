@@ -248,7 +248,7 @@ TEST(RotatingStretchRun, IsOfSecondOrderInTimeWhateverTheGrid) {
 }
 
 // About (1, 2, 3), on cells of a half, a quarter and an eighth.
-TEST(RotatingStretchRun, InSpaceToo) {
+TEST(LongRotatingStretchRun, InSpaceToo) {
   for (const std::string rotate : {"simultaneous", "after"}) {
     const double coarse = errors_in_time(stretch_in_space, rotate, 0.5, {0.01, 0.005, 0.0025})[1];
     const double middle = errors_in_time(stretch_in_space, rotate, 0.25, {0.01, 0.005, 0.0025})[1];

@@ -116,7 +116,7 @@ TEST(Check, JUnitIsValid) {
   expect_junit(scratch.write("odd.xml", check_junit({odd, broken()})));
 }
 
-TEST(Check, AllChecksWhatIsRegisteredAndWhatCannotBeChecked) {
+TEST(LongCheck, AllChecksWhatIsRegisteredAndWhatCannotBeChecked) {
   const ScratchFolder scratch;
   const std::string json = scratch / "all.json";
   EXPECT_EQ(checked({"--all", "--quick", "--json", json}), 0);

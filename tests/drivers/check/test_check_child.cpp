@@ -4,6 +4,7 @@
 
 #include "tests/drivers/material/source_fixture.hpp"
 #include "tests/drivers/misdeeds.hpp"
+#include "tests/support/some_of.hpp"
 
 namespace assay::drivers::test_check_child {
 namespace {
@@ -35,19 +36,24 @@ TEST_P(LitteringModel, DoesNotReachIt) {
   EXPECT_TRUE(the.nothing_is_left());
 }
 
-INSTANTIATE_TEST_SUITE_P(Deeds, LitteringModel,
-                         testing::Values("load litter", "create litter", "update litter", "update litter_and_die",
-                                         "destroy litter", "destroy litter_and_die", "create litter_and_die"),
-                         [](const auto& instance) {
-                           std::string name = instance.param;
-                           std::replace(name.begin(), name.end(), ' ', '_');
-                           return name;
-                         });
+const auto cases_of_littering_model = one_of_each<LitteringModel::ParamType>(
+    3, testing::Values("load litter", "create litter", "update litter", "update litter_and_die", "destroy litter",
+                       "destroy litter_and_die", "create litter_and_die"));
+const auto name_of_littering_model = [](const auto& instance) {
+  std::string name = instance.param;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+};
+INSTANTIATE_TEST_SUITE_P(Deeds, LitteringModel, testing::ValuesIn(cases_of_littering_model.some),
+                         name_of_littering_model);
+INSTANTIATE_TEST_SUITE_P(LongDeeds, LitteringModel, testing::ValuesIn(cases_of_littering_model.others),
+                         name_of_littering_model);
 
 class LitteringSource : public SourceTest {};
+using LongLitteringSource = LitteringSource;
 
 // Once it has ended the process, it is tried with other components of stress.
-TEST_F(LitteringSource, DoesNotReachItWhenItEndsTheProcess) {
+TEST_F(LongLitteringSource, DoesNotReachItWhenItEndsTheProcess) {
   const std::string open = "      OPEN(15,FILE='data.csv',STATUS='REPLACE')\n      CLOSE(15)\n";
   for (const char* end : {"      STOP 3\n", "      CALL XIT\n", "      CALL ABORT\n"}) {
     const UsersFolder users;

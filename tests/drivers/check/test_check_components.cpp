@@ -9,7 +9,7 @@
 namespace assay::drivers::test_check_components {
 namespace {
 
-TEST(CheckComponents, AModelOfPlaneStrainIsToldWhatCuresIt) {
+TEST(LongCheckComponents, AModelOfPlaneStrainIsToldWhatCuresIt) {
   if (!has_foreign("umat_in_plane")) GTEST_SKIP() << "no Fortran compiler";
   const std::string keys = "interface: umat\nproperties: {E: 1.0e3, nu: 0.3}\n";
   const ForeignCheck check("umat_in_plane", keys);
@@ -64,7 +64,7 @@ TEST(CheckComponents, TooSmallAStateIsNoPlane) {
   EXPECT_EQ(sentence.find("reads STATEV(6), 4 are declared: `state` must declare 6 numbers"), 0u) << sentence;
 }
 
-TEST(CheckComponents, PlaneStressIsJudgedInItsPlane) {
+TEST(LongCheckComponents, PlaneStressIsJudgedInItsPlane) {
   if (!has_foreign("umat_plane_stress")) GTEST_SKIP() << "no Fortran compiler";
   const auto keys = [](int law, const std::string& more) {
     return "interface: umat\ncomponents: [3]\nproperties: {E: 1.0e3, nu: 0.3, law: " + std::to_string(law) + "}\n" +

@@ -46,7 +46,7 @@ TEST(CheckForeign, AModelOfPlaneStrainAloneIsTurnedAndStrainedInItsPlane) {
   EXPECT_NE(shown.said.find("plane 12 alone"), std::string::npos) << shown.said;
 }
 
-TEST(CheckForeign, AModelOfPlaneStrainAloneRunsTheVortex) {
+TEST(LongCheckForeign, AModelOfPlaneStrainAloneRunsTheVortex) {
   if (!built("umat_neo_hookean")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
   const std::string model = neo_hookean_in_plane(scratch);
@@ -78,7 +78,7 @@ TEST(CheckForeign, ATangentOfTheOtherStrainIsSaidInTheWordsOfDescriptions) {
   EXPECT_EQ(ending.said.find("row-major"), std::string::npos) << ending.said;
 }
 
-TEST(CheckForeign, ATangentOfWhichNothingIsSaidIsTakenForEither) {
+TEST(LongCheckForeign, ATangentOfWhichNothingIsSaidIsTakenForEither) {
   if (!built("umat_neo_hookean")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
   const std::string finite =
@@ -93,7 +93,7 @@ TEST(CheckForeign, ATangentOfWhichNothingIsSaidIsTakenForEither) {
 }
 
 /// Moduli that are handed over as textbooks have them.
-TEST(CheckForeign, ModuliOfAnotherRateAreNamed) {
+TEST(LongCheckForeign, ModuliOfAnotherRateAreNamed) {
   if (!built("umat_neo_hookean")) GTEST_SKIP() << "no Fortran compiler";
   const std::pair<const char*, const char*> all[] = {
       {"TRUESDELL", "DDSDDE is the modulus of the Truesdell rate, as by"},
@@ -111,7 +111,7 @@ TEST(CheckForeign, ModuliOfAnotherRateAreNamed) {
 }
 
 /// Engineering and tensor shears, mixed up in DDSDDE alone.
-TEST(CheckForeign, ShearsOfTheTangentThatAreDoubledOrHalvedAreNamed) {
+TEST(LongCheckForeign, ShearsOfTheTangentThatAreDoubledOrHalvedAreNamed) {
   if (!built("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
   const std::pair<const char*, const char*> all[] = {
       {"SHEARS_DOUBLED", "the shears 12, 13, 23 of the tangent are doubled"},
@@ -129,7 +129,7 @@ TEST(CheckForeign, ShearsOfTheTangentThatAreDoubledOrHalvedAreNamed) {
 }
 
 /// A Poisson's ratio above 0.5 makes K negative, one below -1 G.
-TEST(CheckForeign, ABodyThatIsDrivenOnByItsStressIsNamed) {
+TEST(LongCheckForeign, ABodyThatIsDrivenOnByItsStressIsNamed) {
   if (!built("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
   const auto of = [](const std::string& nu, const std::string& more) {
     return ForeignCheck("umat_kinematic", "interface: umat\nflags: [non_smooth]\nproperties: {E: 1.0e3, nu: " + nu +
@@ -155,7 +155,7 @@ TEST(CheckForeign, ABodyThatIsDrivenOnByItsStressIsNamed) {
 }
 
 /// Energies that a UMAT leaves alone, and numbers of a state that is too long.
-TEST(CheckForeign, WhatNobodyUsesIsNoRemark) {
+TEST(LongCheckForeign, WhatNobodyUsesIsNoRemark) {
   if (!built("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
   const std::string model = described(scratch, "umat_kinematic",
@@ -218,7 +218,7 @@ TEST(CheckForeign, DeclarationsAreThoseOfDescriptions) {
   EXPECT_NE(ending.said.find("Declare flags: [rate_dependent], or"), std::string::npos) << ending.said;
 }
 
-TEST(CheckForeign, AnInitialValueThatIsMissingIsAskedFor) {
+TEST(LongCheckForeign, AnInitialValueThatIsMissingIsAskedFor) {
   const ScratchFolder scratch;
   const std::string keys = "interface: mfront\nproperties: {Lambda: 600, Mu: 400}\ndensity: 1000\n";
   const std::string bare = described(scratch, "mfront_elastic_part", keys);
@@ -233,7 +233,7 @@ TEST(CheckForeign, AnInitialValueThatIsMissingIsAskedFor) {
 }
 
 // A library that describes itself, without a description: its model has the name of its behaviour.
-TEST(CheckForeign, ALibraryOfMFrontIsCheckedAsItIs) {
+TEST(LongCheckForeign, ALibraryOfMFrontIsCheckedAsItIs) {
   const ScratchFolder scratch;
   const std::string library = doubles + "mfront_neo_hookean.so";
   for (const char* name : {"", ":NeoHookean", ":neohookean"}) {

@@ -26,8 +26,9 @@ class Host : public testing::Test {
     if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
   }
 };
+using LongHost = Host;
 
-TEST_F(Host, ACounterIsNothingToDependOn) {
+TEST_F(LongHost, ACounterIsNothingToDependOn) {
   const std::pair<const char*, const char*> all[] = {
       {"BY_KINC", "KINC"}, {"BY_KSTEP", "KSTEP"}, {"BY_NPT", "NPT"}, {"BY_LAYER", "LAYER"}};
   for (const auto& [words, name] : all) {
@@ -39,7 +40,7 @@ TEST_F(Host, ACounterIsNothingToDependOn) {
   }
 }
 
-TEST_F(Host, WhatMayBeMeantStandsOnTheVerdictLine) {
+TEST_F(LongHost, WhatMayBeMeantStandsOnTheVerdictLine) {
   const std::pair<const char*, const char*> all[] = {
       {"COORDS", "COORDS"}, {"BY_TEMP", "TEMP"}, {"BY_LENGTH", "CELENT"}, {"BY_FIELD", "PREDEF(1)"}};
   for (const auto& [words, name] : all) {
@@ -53,7 +54,7 @@ TEST_F(Host, WhatMayBeMeantStandsOnTheVerdictLine) {
 }
 
 /// What a path may change is varied by the check as the rest is.
-TEST_F(Host, FieldsThatMayVaryAreInputsAsOthers) {
+TEST_F(LongHost, FieldsThatMayVaryAreInputsAsOthers) {
   const std::string swelling = "fields: {swelling: 0}\nvarying: [swelling]\n", temperature = "varying: [temperature]\n";
   EXPECT_NE(ForeignCheck("umat_kinematic", kinematic("BY_FIELD", swelling)).dependence_on("PREDEF(1)"), "");
   EXPECT_NE(ForeignCheck("umat_kinematic", kinematic("BY_TEMP", swelling)).dependence_on("TEMP"), "");
@@ -122,7 +123,7 @@ TEST_F(Host, ATableByElementIsOneAndAKeyChoosesItsLine) {
   EXPECT_NE(other.dependence_on("NOEL"), "") << "some lines are others still: " << other.said;
 }
 
-TEST_F(Host, AVumatIsTriedWithWhatItIsHanded) {
+TEST_F(LongHost, AVumatIsTriedWithWhatItIsHanded) {
   const std::pair<const char*, const char*> all[] = {
       {"LENGTH", "charLength"}, {"PLACE", "coordMp"}, {"WARMTH", "tempOld and tempNew"}, {"DENSITY", "density"}};
   for (const auto& [words, name] : all) {

@@ -15,7 +15,7 @@ namespace assay::drivers::test_check_methods {
 namespace {
 
 /// All in one test: the methods are what takes the time.
-TEST(CheckMethods, RunsEveryMethodAndSaysItInJsonJUnitAndTheTableOfTheDocuments) {
+TEST(LongCheckMethods, RunsEveryMethodAndSaysItInJsonJUnitAndTheTableOfTheDocuments) {
   const ScratchFolder scratch;
   const std::string json = scratch / "methods.json", junit = scratch / "methods.xml", table = scratch / "methods.md";
   const Ending ending =

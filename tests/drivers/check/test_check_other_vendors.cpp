@@ -13,7 +13,7 @@ std::string keys_of(const std::string& interface, int which, const std::string& 
          "}\nstate: {p: scalar}\nflags: [non_smooth]\n" + more;
 }
 
-TEST(CheckOtherVendors, ModelsThatAreRightPass) {
+TEST(LongCheckOtherVendors, ModelsThatAreRightPass) {
   if (!has_foreign("usermat_j2")) GTEST_SKIP() << "no Fortran compiler";
   for (const char* more : {"", "axes: fixed\n", "components: [4]\n"}) {
     const ForeignCheck check("usermat_j2", keys_of("usermat", 0, more));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/drivers/misdeeds.hpp"
+#include "tests/support/some_of.hpp"
 
 namespace assay::drivers::test_check_phases {
 namespace {
@@ -54,20 +55,21 @@ TEST_P(CheckPhases, AreNamed) {
   EXPECT_TRUE(checked.nothing_is_left);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Ends, CheckPhases,
-    testing::Values(
-        End{"destroy abort", "was ended by signal 6 (Aborted) when it was destroyed in the test "},
-        End{"destroy _exit", "ended the process with status 0 when it was destroyed in the test "},
-        End{"destroy pause", "did not return from a call within 1 s when it was destroyed"},
-        End{"destroy_first abort", "was ended by signal 6 (Aborted) when it was destroyed, after the last test"},
-        End{"destroy_first _exit", "ended the process with status 0 when it was destroyed, after the last test"},
-        End{"destroy_first pause", "within 1 s when it was destroyed, after the last test"}),
-    [](const auto& instance) {
-      std::string name = instance.param.deed;
-      std::replace(name.begin(), name.end(), ' ', '_');
-      return name;
-    });
+const auto cases_of_check_phases = one_of_each<CheckPhases::ParamType>(
+    3, testing::Values(
+           End{"destroy abort", "was ended by signal 6 (Aborted) when it was destroyed in the test "},
+           End{"destroy _exit", "ended the process with status 0 when it was destroyed in the test "},
+           End{"destroy pause", "did not return from a call within 1 s when it was destroyed"},
+           End{"destroy_first abort", "was ended by signal 6 (Aborted) when it was destroyed, after the last test"},
+           End{"destroy_first _exit", "ended the process with status 0 when it was destroyed, after the last test"},
+           End{"destroy_first pause", "within 1 s when it was destroyed, after the last test"}));
+const auto name_of_check_phases = [](const auto& instance) {
+  std::string name = instance.param.deed;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+};
+INSTANTIATE_TEST_SUITE_P(Ends, CheckPhases, testing::ValuesIn(cases_of_check_phases.some), name_of_check_phases);
+INSTANTIATE_TEST_SUITE_P(LongEnds, CheckPhases, testing::ValuesIn(cases_of_check_phases.others), name_of_check_phases);
 
 TEST(CheckPhase, OfAModelThatCannotBeMadeIsNamed) {
   for (const char* deed : {"create abort", "create _exit", "create pause"}) {

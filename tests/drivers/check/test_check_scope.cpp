@@ -46,6 +46,7 @@ class CheckScope : public SourceTest {
            lines + "      END\n";
   }
 };
+using LongCheckScope = CheckScope;
 
 constexpr const char* missing = "      IF (MAXVAL(ABS(STRESS)).GT.PROPS(3)) CALL PLRET(STRESS)\n";
 constexpr const char* refusing = "      IF (MAXVAL(ABS(STRESS)).GT.PROPS(3)) PNEWDT=0.25D0\n";
@@ -68,7 +69,7 @@ TEST_F(CheckScope, AModelThatRefusesEveryPlasticStepDoesNotPassInSilence) {
   EXPECT_TRUE(says(asked, "diagnosis: strain not reached")) << asked.said;
 }
 
-TEST_F(CheckScope, AStressThatNobodyMakesIsNone) {
+TEST_F(LongCheckScope, AStressThatNobodyMakesIsNone) {
   for (const char* lines :
        {"      STRESS=0\n", "      IF (PREDEF(1).LT.0.5D0) STRESS=STRESS-MATMUL(DDSDDE,DSTRAN)\n"}) {
     const Ending ending = check(lines);
@@ -95,7 +96,7 @@ TEST_F(CheckScope, WhatGrowsPassesWhereItIsDeclared) {
   EXPECT_EQ(ending.status, 0) << ending.said;
 }
 
-TEST_F(CheckScope, TheLengthOfAStepIsToldFromItsStrain) {
+TEST_F(LongCheckScope, TheLengthOfAStepIsToldFromItsStrain) {
   for (const char* lines : {"      IF (DTIME.GT.0.75D0) PNEWDT=0.5D0\n", "      IF (DTIME.GT.1.D-5) CALL XIT\n"}) {
     const Ending ending = check(lines);
     EXPECT_EQ(ending.status, 0) << ending.said;

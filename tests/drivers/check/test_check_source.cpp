@@ -36,6 +36,7 @@ class CheckSource : public SourceTest {
     return ending.said.find(words) != std::string::npos;
   }
 };
+using LongCheckSource = CheckSource;
 
 TEST_F(CheckSource, ANewUserHasTheVerdictAtOnce) {
   scratch.write("model.f", hooke_umat);
@@ -51,7 +52,7 @@ TEST_F(CheckSource, ANewUserHasTheVerdictAtOnce) {
   EXPECT_EQ(again.status, 0) << again.said;
 }
 
-TEST_F(CheckSource, WhatIsMissingIsOneLine) {
+TEST_F(LongCheckSource, WhatIsMissingIsOneLine) {
   scratch.write("model.f", hooke_umat);
   const auto line = [&](const std::vector<std::string>& words, int status = 2) {
     const Ending ending = run(words);
@@ -85,7 +86,7 @@ TEST_F(CheckSource, WhatIsMissingIsOneLine) {
   EXPECT_NE(line({"check", "bad.f", "--props", "1"}).find("bad.f:13:16: does not compile: "), std::string::npos);
 }
 
-TEST_F(CheckSource, TheFolderWhereTheUserStandsMayBeGone) {
+TEST_F(LongCheckSource, TheFolderWhereTheUserStandsMayBeGone) {
   const std::string model = scratch.write("model.f", hooke_umat);
   for (const char* props : {"210e3,.3", "E=210e3,nu=.3"}) {
     fs::create_directories(scratch / "gone");
@@ -104,7 +105,7 @@ TEST_F(CheckSource, TheFolderWhereTheUserStandsMayBeGone) {
 }
 
 // The utilities of the host have these names, too.
-TEST_F(CheckSource, ItsOwnRoutinesAreCalled) {
+TEST_F(LongCheckSource, ItsOwnRoutinesAreCalled) {
   for (const char* name : {"SINV", "SPRINC", "GETNUMCPUS"}) {
     std::string text = hooke_umat;
     const std::string line = "      EMOD=PROPS(1)";
@@ -117,7 +118,7 @@ TEST_F(CheckSource, ItsOwnRoutinesAreCalled) {
   }
 }
 
-TEST_F(CheckSource, PropsMayStandBetweenBlanks) {
+TEST_F(LongCheckSource, PropsMayStandBetweenBlanks) {
   scratch.write("model.f", hooke_umat);
   const Ending ending = run({"check", "--props", "210e3", ".3", "model.f", "--quick"});
   EXPECT_EQ(ending.status, 0) << ending.said;
@@ -126,7 +127,7 @@ TEST_F(CheckSource, PropsMayStandBetweenBlanks) {
   EXPECT_TRUE(says(run({"check", "model.f", "3", "--props", "1e3"}), "unknown argument '3'"));
 }
 
-TEST_F(CheckSource, IsLinkedWithWhatItNeeds) {
+TEST_F(LongCheckSource, IsLinkedWithWhatItNeeds) {
   scratch.write("doubled.f90", "real(8) function doubled(e)\n real(8) :: e\n doubled = 2*e\nend function\n");
   ASSERT_EQ(std::system(("cd '" + (scratch / "") + "' && gfortran -fPIC -c doubled.f90 -o doubled.o").c_str()), 0);
   std::string text = hooke_umat;
@@ -234,7 +235,7 @@ TEST_F(CheckSource, ADecksNamesThatAreNoKeysStandInTheText) {
   EXPECT_NE(written.find("P: scalar"), std::string::npos) << written;
 }
 
-TEST_F(CheckSource, IsTakenBySceneAndSetting) {
+TEST_F(LongCheckSource, IsTakenBySceneAndSetting) {
   scratch.write("my dir/modél.f", "");
   fs::create_directories(scratch / "my dir");
   scratch.write("my dir/modél.f", hooke_umat);
@@ -257,7 +258,7 @@ TEST_F(CheckSource, IsTakenBySceneAndSetting) {
   EXPECT_TRUE(says(lacks, "p1")) << lacks.said;
 }
 
-TEST_F(CheckSource, IsRegisteredAndThenUsed) {
+TEST_F(LongCheckSource, IsRegisteredAndThenUsed) {
   scratch.write("model.f", hooke_umat);
   const Ending registered = run({"register", "model.f", "--as", "mine", "--props", "1e3,.3"});
   EXPECT_EQ(registered.status, 0) << registered.said;
@@ -311,7 +312,7 @@ TEST_F(CheckSource, TheCacheMayBeRelativeToTheUser) {
   EXPECT_TRUE(kept("").empty());
 }
 
-TEST_F(CheckSource, AnEditedDescriptionStays) {
+TEST_F(LongCheckSource, AnEditedDescriptionStays) {
   scratch.write("model.f", hooke_umat);
   const std::string file = scratch / "results/check/model.yaml";
   EXPECT_EQ(run({"check", "model.f", "--props", "1e3,.3", "--quick"}).status, 0);
@@ -334,7 +335,7 @@ std::string umat_with_file(const std::string& open) {
   return fixed_umat(statements);
 }
 
-TEST_F(CheckSource, AFileThatIsNotFoundIsNamedAndGiven) {
+TEST_F(LongCheckSource, AFileThatIsNotFoundIsNamedAndGiven) {
   scratch.write("model.f", umat_with_file("FILE='young.dat',STATUS='OLD'"));
   const Ending absent = run({"check", "model.f", "--props", "0,.3", "--quick"});
   EXPECT_EQ(absent.status, 1);

@@ -8,6 +8,7 @@
 #include "tests/drivers/foreign_checks.hpp"
 #include "tests/drivers/material/fortran_texts.hpp"
 #include "tests/drivers/process.hpp"
+#include "tests/support/some_of.hpp"
 
 namespace assay::drivers::test_check_source_slips {
 namespace {
@@ -214,7 +215,7 @@ class SourceSlip : public testing::TestWithParam<Source> {};
 
 /// A shear modulus that is missing makes no tangent that is transposed; and a cubic law in fixed axes lacks these
 /// alone.
-TEST(SourceSlips, OfAnisotropicModuliNameNoOtherCause) {
+TEST(LongSourceSlips, OfAnisotropicModuliNameNoOtherCause) {
   if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
   scratch.write("law.f", fixed_umat(moduli + tangent +
@@ -255,8 +256,8 @@ TEST_P(SourceSlip, IsNamed) {
   EXPECT_NE(sentence.find(GetParam().words), std::string::npos) << sentence;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Kinds, SourceSlip,
+const auto cases_of_source_slip = one_of_each<SourceSlip::ParamType>(
+    4,
     testing::Values(
         Source{"umat_right", fixed_umat(moduli + hooke), "1e3,.3", "", ""},
         Source{"umat_of_the_first_call", fixed_umat(moduli_of_the_first_call + hooke), "1e3,.3",
@@ -364,8 +365,10 @@ INSTANTIATE_TEST_SUITE_P(
                fixed_umat("      DIMENSION BIG(1200000)\n" + moduli + hooke +
                           "      BIG(KINC)=1.D0\n      BIG(1200000)=1.D0\n"
                           "      STRESS(1)=STRESS(1)*BIG(KINC)*BIG(1200000)\n"),
-               "1e3,.3", "", ""}),
-    [](const auto& instance) { return instance.param.name; });
+               "1e3,.3", "", ""}));
+const auto name_of_source_slip = [](const auto& instance) { return instance.param.name; };
+INSTANTIATE_TEST_SUITE_P(Kinds, SourceSlip, testing::ValuesIn(cases_of_source_slip.some), name_of_source_slip);
+INSTANTIATE_TEST_SUITE_P(LongKinds, SourceSlip, testing::ValuesIn(cases_of_source_slip.others), name_of_source_slip);
 
 }  // namespace
 }  // namespace assay::drivers::test_check_source_slips

@@ -6,6 +6,7 @@
 #include "drivers/scene/scene_reader.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/some_of.hpp"
 #include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_check_symmetry {
@@ -64,8 +65,8 @@ TEST_P(CheckSymmetry, IsFoundOrItsMistakeIsNamed) {
 
 const std::string not_of_class = "material not of the declared symmetry";
 
-INSTANTIATE_TEST_SUITE_P(
-    Umats, CheckSymmetry,
+const auto cases_of_check_symmetry = one_of_each<CheckSymmetry::ParamType>(
+    4,
     testing::Values(
         Case{"cube", "umat_crystal", cube + inclined, "cubic", "", "the stiffness at rest is cubic about"},
         Case{"upright_cube", "umat_crystal", cube + upright, "cubic", "", "cubic about (1, 0, 0)"},
@@ -95,8 +96,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"round_sheet", "umat_hill", round_sheet, "transversely_isotropic", "", "isotropic, about (0, 0, 1)"},
         Case{"sheet_called_round", "umat_hill", sheet, "transversely_isotropic", not_of_class,
              "it is orthotropic about"},
-        Case{"sheet_called_cubic", "umat_hill", round_sheet, "cubic", not_of_class, "it is transversely isotropic"}),
-    [](const auto& the) { return std::string(the.param.name); });
+        Case{"sheet_called_cubic", "umat_hill", round_sheet, "cubic", not_of_class, "it is transversely isotropic"}));
+const auto name_of_check_symmetry = [](const auto& the) { return std::string(the.param.name); };
+INSTANTIATE_TEST_SUITE_P(Umats, CheckSymmetry, testing::ValuesIn(cases_of_check_symmetry.some), name_of_check_symmetry);
+INSTANTIATE_TEST_SUITE_P(LongUmats, CheckSymmetry, testing::ValuesIn(cases_of_check_symmetry.others),
+                         name_of_check_symmetry);
 
 /// The vortex is for what is isotropic about the ring's axis.
 TEST(CheckSymmetryOfRings, ABundleAlongTheAxisServesAVortexAndAnInclinedOneDoesNot) {

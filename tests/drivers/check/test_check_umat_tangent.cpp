@@ -7,6 +7,7 @@
 #include "tests/drivers/foreign_checks.hpp"
 #include "tests/drivers/material/fortran_texts.hpp"
 #include "tests/drivers/process.hpp"
+#include "tests/support/some_of.hpp"
 
 namespace assay::drivers::test_check_umat_tangent {
 namespace {
@@ -56,14 +57,15 @@ TEST_P(UmatTangent, IsNamedByWhatIsWrong) {
   EXPECT_EQ(sentence.substr(0, std::string(GetParam().words).size()), GetParam().words);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Kinds, UmatTangent,
-    testing::Values(Slip{"right", "      DDSDDE=C\n", "0.D0", "passes"},
-                    Slip{"doubled", "      DDSDDE=2.D0*C\n", "0.D0", "the tangent is 2 times what it should be"},
-                    Slip{"halved", "      DDSDDE=0.5D0*C\n", "0.D0", "the tangent is 0.5 times what it should be"},
-                    Slip{"transposed", "      DDSDDE=TRANSPOSE(C)\n", "0.4D0", "the tangent is transposed"},
-                    Slip{"not_symmetric", "      DDSDDE=C\n", "0.1D0", "passes"}),
-    [](const auto& instance) { return instance.param.name; });
+const auto cases_of_umat_tangent = one_of_each<UmatTangent::ParamType>(
+    3, testing::Values(Slip{"right", "      DDSDDE=C\n", "0.D0", "passes"},
+                       Slip{"doubled", "      DDSDDE=2.D0*C\n", "0.D0", "the tangent is 2 times what it should be"},
+                       Slip{"halved", "      DDSDDE=0.5D0*C\n", "0.D0", "the tangent is 0.5 times what it should be"},
+                       Slip{"transposed", "      DDSDDE=TRANSPOSE(C)\n", "0.4D0", "the tangent is transposed"},
+                       Slip{"not_symmetric", "      DDSDDE=C\n", "0.1D0", "passes"}));
+const auto name_of_umat_tangent = [](const auto& instance) { return instance.param.name; };
+INSTANTIATE_TEST_SUITE_P(Kinds, UmatTangent, testing::ValuesIn(cases_of_umat_tangent.some), name_of_umat_tangent);
+INSTANTIATE_TEST_SUITE_P(LongKinds, UmatTangent, testing::ValuesIn(cases_of_umat_tangent.others), name_of_umat_tangent);
 
 /// Rubber, W = C10 (I1 of the isochoric part - 3) + (J - 1)^2/D1, from DFGRD1; `shape` is a factor of what a change of
 /// shape adds to DDSDDE, and the stress stays right.
@@ -113,18 +115,22 @@ TEST_P(UmatTangentOfRubber, IsJudgedByItsShapeToo) {
   EXPECT_EQ(found.verdict, found.tangent == "passes" ? "pass" : "fail");
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Kinds, UmatTangentOfRubber,
+const auto cases_of_umat_tangent_of_rubber = one_of_each<UmatTangentOfRubber::ParamType>(
+    3,
     testing::Values(RubberSlip{"right_soft", "1.D0", "0.4", "passes"}, RubberSlip{"right", "1.D0", "0.002", "passes"},
                     RubberSlip{"right_hard", "1.D0", "2D-5", "passes"},
                     RubberSlip{"without_shape", "0.D0", "0.002", "the tangent of a change of shape is wrong by 100 %"},
                     RubberSlip{"half_a_shape", "0.5D0", "0.002", "the tangent of a change of shape is wrong by 50 %"},
-                    RubberSlip{"doubled_shape", "2.D0", "2D-5", "the tangent of a change of shape is wrong by 100 %"}),
-    [](const auto& instance) { return instance.param.name; });
+                    RubberSlip{"doubled_shape", "2.D0", "2D-5", "the tangent of a change of shape is wrong by 100 %"}));
+const auto name_of_umat_tangent_of_rubber = [](const auto& instance) { return instance.param.name; };
+INSTANTIATE_TEST_SUITE_P(Kinds, UmatTangentOfRubber, testing::ValuesIn(cases_of_umat_tangent_of_rubber.some),
+                         name_of_umat_tangent_of_rubber);
+INSTANTIATE_TEST_SUITE_P(LongKinds, UmatTangentOfRubber, testing::ValuesIn(cases_of_umat_tangent_of_rubber.others),
+                         name_of_umat_tangent_of_rubber);
 
 /// The description does not say which strain it is for. By the wrong one the component that is farthest off would be
 /// one that is right.
-TEST(UmatOfRubber, AWrongTangentIsComparedWithTheNearerConvention) {
+TEST(LongUmatOfRubber, AWrongTangentIsComparedWithTheNearerConvention) {
   if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
   for (const char* shape : {"1.1D0", "0.93D0", "1.04D0"}) {
     const Found found = checked(rubber(shape), "0.5,0.4");

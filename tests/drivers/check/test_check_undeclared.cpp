@@ -39,6 +39,7 @@ class CheckUndeclared : public SourceTest {
     return found;
   }
 };
+using LongCheckUndeclared = CheckUndeclared;
 
 /// Hooke's law whose deviator relaxes, in PROPS(3) seconds.
 const std::string relaxing_statements = hooke_statements +
@@ -87,7 +88,7 @@ TEST_F(CheckUndeclared, AnotherUseOfTheClockStaysADefect) {
   EXPECT_EQ(found.status, 1) << found.said;
 }
 
-TEST_F(CheckUndeclared, AFailureBesideTheRateIsNamedAloneAndReplayedAlike) {
+TEST_F(LongCheckUndeclared, AFailureBesideTheRateIsNamedAloneAndReplayedAlike) {
   scratch.write("model.f", fixed_umat(relaxing_statements + "      STRESS(4)=STRESS(4)+0.05D0*PROPS(1)*DSTRAN(4)\n"));
   const Found found = check("model.f", {"--props", "210e3,.3,.5"});
   EXPECT_EQ(found.status, 1) << found.said;
@@ -118,7 +119,7 @@ TEST_F(CheckUndeclared, DirectionsAreAskedForAndNotTakenForGranted) {
 }
 
 /// STRESS(1:3) of 11, 22 and 12.
-TEST_F(CheckUndeclared, PlaneStressIsToldAndJudgedWhereItIsDeclared) {
+TEST_F(LongCheckUndeclared, PlaneStressIsToldAndJudgedWhereItIsDeclared) {
   const std::string statements =
       "      DDSDDE(1:3,1:3)=0\n      F=PROPS(1)/(1-PROPS(2)**2)\n      DDSDDE(1,1)=F\n      DDSDDE(2,2)=F\n"
       "      DDSDDE(1,2)=F*PROPS(2)\n      DDSDDE(2,1)=F*PROPS(2)\n      DDSDDE(3,3)=F*(1-PROPS(2))/2\n"

@@ -68,6 +68,7 @@ class CheckVendorSources : public SourceTest {
     return ending.said;
   }
 };
+using LongCheckVendorSources = CheckVendorSources;
 
 TEST_F(CheckVendorSources, AUsermatIsRecognised) {
   int status = -1;
@@ -80,7 +81,7 @@ TEST_F(CheckVendorSources, AUsermatIsRecognised) {
   EXPECT_NE(description.find("young in the source"), std::string::npos) << description;
 }
 
-TEST_F(CheckVendorSources, AUserMaterialOfLsdynaIsRecognisedAndHasDoublePrecision) {
+TEST_F(LongCheckVendorSources, AUserMaterialOfLsdynaIsRecognisedAndHasDoublePrecision) {
   for (const int arguments : {12, 13, 16, 18}) {
     int status = -1;
     const std::string text = said(status, {scratch.write("model.f", umat_of_lsdyna("umat46", arguments)), "--props",
@@ -111,7 +112,7 @@ TEST_F(CheckVendorSources, AnotherNumberOfArgumentsIsNamed) {
 }
 
 /// The samples that come with LS-DYNA name these files and what they declare, with and without IMPLICIT NONE.
-TEST_F(CheckVendorSources, TheIncludedFilesOfLsdynaAreProvided) {
+TEST_F(LongCheckVendorSources, TheIncludedFilesOfLsdynaAreProvided) {
   const std::string sample =
       "      include 'nlqparm'\n"
       "      include 'bk06.inc'\n"
@@ -149,7 +150,7 @@ TEST_F(CheckVendorSources, TheIncludedFilesOfLsdynaAreProvided) {
 }
 
 /// How compilers of other vendors read columns is not known.
-TEST_F(CheckVendorSources, ColumnsAreThoseOfAbaqusForItsSourcesAlone) {
+TEST_F(LongCheckVendorSources, ColumnsAreThoseOfAbaqusForItsSourcesAlone) {
   int status = -1;
   std::string text = umat_of_lsdyna("umat41", 18);
   text.replace(text.find("      ratio=cm(2)\n"), 18, "      ratio=" + std::string(62, ' ') + "cm(2)\n");

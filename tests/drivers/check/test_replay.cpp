@@ -45,7 +45,7 @@ void expect_the_same_failure(const std::string& folder, const std::string& words
   EXPECT_NE(take_again(material, smaller).worst, ASSAY_FAILED);
 }
 
-TEST(Replay, OfARunIsLeftBeforeAndDuringTheSteps) {
+TEST(LongReplay, OfARunIsLeftBeforeAndDuringTheSteps) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out";
   EXPECT_EQ(run(quick_run(out, {fails_when_sheared()})), 1);
@@ -68,7 +68,7 @@ TEST(Replay, OfARunIsLeftBeforeAndDuringTheSteps) {
 
 /// A model with memory that cannot go on in the middle of a sheet, by its word or by NaN: the place, the step that
 /// fails again, and nothing in the cache.
-TEST(Replay, OfAHistoryThatFailsMidwayNamesThePlaceAndCachesNothing) {
+TEST(LongReplay, OfAHistoryThatFailsMidwayNamesThePlaceAndCachesNothing) {
   const ScratchFolder scratch;
   const char* before = std::getenv("ASSAY_CACHE_HOME");
   const std::string home = before ? before : "", cache = scratch / "cache", out = scratch / "out";

@@ -17,7 +17,7 @@ const std::array<std::string, 3> vortices{smooth_vortex, viscous_vortex, static_
 
 std::string words_of(const std::string& text) { return "'" + text + "'"; }
 
-TEST(ForceExpressions, OfNairn) {
+TEST(LongForceExpressions, OfNairn) {
   for (const std::string& text : vortices) {
     const VortexForces vortex(text);
     const ForcePieces pieces = vortex.pieces();
@@ -37,7 +37,7 @@ std::vector<ForcePoint> points_in_ring(const VortexForces& vortex) {
   return points;
 }
 
-TEST(ForceExpressions, OfKaramelo) {
+TEST(LongForceExpressions, OfKaramelo) {
   // Its numbers are in single precision, as are pi and the amplitude within alpha.
   constexpr double of_single_precision = 1e-6;
   for (const std::string& text : vortices)

@@ -56,7 +56,7 @@ TEST(ForcePieces, AreZeroOutsideTheRing) {
   }
 }
 
-TEST(ForcePieces, RefuseKinksInOneSentenceWithAWayOut) {
+TEST(LongForcePieces, RefuseKinksInOneSentenceWithAWayOut) {
   const VortexForces plastic(R"(
 motion:   {type: vortex, profile_power: 4, amplitude: {type: sine, peak: 0.1}}
 material: {adapter: j2_jaumann, parameters: {E: 1.0e+3, nu: 0.3, yield_stress: 20, hardening_modulus: 200, saturation_stress: 40,

@@ -75,13 +75,13 @@ TEST(ForceSources, InC) {
                   "cc -std=c99 -Wall -Wextra -Werror main.c vortex_force.c -o a -lm && ./a");
 }
 
-TEST(ForceSources, InFortran) {
+TEST(LongForceSources, InFortran) {
   if (!has("gfortran")) GTEST_SKIP() << "no gfortran";
   expect_language(ForceLanguage::fortran, "main.f90", fortran_program,
                   "gfortran -std=f2008 -Wall -Werror vortex_force.f90 main.f90 -o a && ./a");
 }
 
-TEST(ForceSources, InPython) {
+TEST(LongForceSources, InPython) {
   const std::string python = python_with("numpy");
   if (python.empty()) GTEST_SKIP() << "no numpy";
   expect_language(ForceLanguage::python, "main.py", python_program, python + " main.py");
@@ -126,7 +126,7 @@ const char* standard_program = R"(
       END
 )";
 
-TEST(ForceSources, AsUserRoutinesOfAbaqus) {
+TEST(LongForceSources, AsUserRoutinesOfAbaqus) {
   if (!has("gfortran")) GTEST_SKIP() << "no gfortran";
   for (const std::string& text : vortices) {
     const VortexForces vortex(text);

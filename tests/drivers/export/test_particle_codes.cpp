@@ -191,7 +191,7 @@ TEST(ParticleCodes, AMaterialThatIsNotTheirsIsMarked) {
   }
 }
 
-TEST(ParticleCodes, RefuseWhatTheyCannotHave) {
+TEST(LongParticleCodes, RefuseWhatTheyCannotHave) {
   const auto refused = [](const ExportOptions& options) {
     try {
       exported_files(options);

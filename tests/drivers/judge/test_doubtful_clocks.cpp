@@ -37,6 +37,7 @@ class JudgeClocks : public testing::Test {
  private:
   int files_ = 0;
 };
+using LongJudgeClocks = JudgeClocks;
 
 Planted at(const Clock& label, double error, double apart = Planted::spacing) {
   Planted planted(Planted().scene_file, error, apart);
@@ -50,7 +51,7 @@ Planted with_late_velocities(double lateness, double error, double apart) {
   return planted;
 }
 
-TEST_F(JudgeClocks, AreNamedWhereNothingElseIsWrong) {
+TEST_F(LongJudgeClocks, AreNamedWhereNothingElseIsWrong) {
   constexpr double alike = 0.05;  // of the fitted times, where errors are small
   const double plain = judged({file(Planted(Planted().scene_file, small))}).l2();
   const auto expect = [&](const Clock& label, const std::string& cause, const Names& groups) {
@@ -80,7 +81,7 @@ TEST_F(JudgeClocks, AFrameThatIsWrittenTwiceIsNamed) {
   EXPECT_NEAR(found.l2(), last * plain, 0.02 * plain);
 }
 
-TEST_F(JudgeClocks, OfOneGridAreADoubtWhereMoreIsWrong) {
+TEST_F(LongJudgeClocks, OfOneGridAreADoubtWhereMoreIsWrong) {
   const Verdict found = judged({file(at([](double t) { return 1.03 * t; }, Planted::error))});
   expect_no_label(found, "give a finer grid");
   EXPECT_TRUE(warns(found, "the clock is "));
@@ -98,7 +99,7 @@ TEST_F(JudgeClocks, OfTwoGridsAreNamedWhereTheyStay) {
   for (const auto& run : found.json["runs"]) EXPECT_EQ(run["labels"][0]["cause"], velocity_time);
 }
 
-TEST_F(JudgeClocks, OfTwoGridsAreTheMethodsWhereTheyFall) {
+TEST_F(LongJudgeClocks, OfTwoGridsAreTheMethodsWhereTheyFall) {
   const auto by = [](double rate) { return [rate](double t) { return rate * t; }; };
   const std::string why = "a method that is late by itself gets better";
   Verdict found = judged({file(at(by(1.04), Planted::error, 0.12)), file(at(by(1.01), 0.25 * Planted::error))});
@@ -113,14 +114,14 @@ TEST_F(JudgeClocks, OfTwoGridsAreTheMethodsWhereTheyFall) {
 }
 
 /// Wrong forces look like a slow clock, too; but then the rest of the error stays as it is.
-TEST_F(JudgeClocks, AreNoneWhereTheRestStays) {
+TEST_F(LongJudgeClocks, AreNoneWhereTheRestStays) {
   const auto fast = [](double t) { return 1.03 * t; };
   expect_no_label(judged({file(at(fast, Planted::error, 0.12)), file(at(fast, Planted::error))}),
                   "does not fall on finer grids");
 }
 
 /// Linear elements are late by 1.1 % and 0.27 % in this wave.
-TEST_F(JudgeClocks, OfAMethodOfOursAreNotAccused) {
+TEST_F(LongJudgeClocks, OfAMethodOfOursAreNotAccused) {
   std::vector<std::string> runs;
   const std::string scene = tree_folder() + "/configs/standard/1/axis_aligned.yaml";
   for (const char* h : {"0.1", "0.05"}) {

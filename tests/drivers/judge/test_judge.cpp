@@ -29,6 +29,7 @@ class Judge : public testing::Test {
   ScratchFolder scratch_;
   const double plain_ = judged(Planted()).l2();
 };
+using LongJudge = Judge;
 
 TEST_F(Judge, OfARunWithoutMistakesNamesNone) {
   constexpr double alike = 1e-12;
@@ -41,7 +42,7 @@ TEST_F(Judge, OfARunWithoutMistakesNamesNone) {
   }
 }
 
-TEST_F(Judge, TakesParticlesInAnyOrder) {
+TEST_F(LongJudge, TakesParticlesInAnyOrder) {
   Planted planted;
   std::mt19937 random(1);
   planted.for_each([&](JudgedFrame& f) {
@@ -59,7 +60,7 @@ TEST_F(Judge, TakesParticlesInAnyOrder) {
   }
 }
 
-TEST_F(Judge, NamesUnitsAndMeanings) {
+TEST_F(LongJudge, NamesUnitsAndMeanings) {
   const auto scaled = [](double factor, bool reference) {
     Planted planted;
     planted.for_each([&](JudgedFrame& f) {
@@ -81,7 +82,7 @@ TEST_F(Judge, NamesUnitsAndMeanings) {
   expect_label(Planted(), "position_for_displacement", {"id", "X", "u", "v"});
 }
 
-TEST_F(Judge, NamesAxesAndOrigins) {
+TEST_F(LongJudge, NamesAxesAndOrigins) {
   const auto changed = [](const std::function<Vector3(const Vector3&)>& of, const Vector3& shift) {
     Planted planted;
     planted.for_each([&](JudgedFrame& f) {
@@ -100,7 +101,7 @@ TEST_F(Judge, NamesAxesAndOrigins) {
 }
 
 /// The ring of the vortex looks the same from all sides, a body that is stretched does not.
-TEST_F(Judge, NamesTurnedAxes) {
+TEST_F(LongJudge, NamesTurnedAxes) {
   const std::string scene = tree_folder() + "/configs/motions/rotating_stretch.yaml";
   const double plain = judged(Planted(scene)).l2();
   const auto turned = [&](const std::function<Vector3(const Vector3&)>& of, bool all) {
@@ -125,7 +126,7 @@ TEST_F(Judge, NamesTurnedAxes) {
   }
 }
 
-TEST_F(Judge, NamesLostIdentities) {
+TEST_F(LongJudge, NamesLostIdentities) {
   Planted planted;
   std::mt19937 random(1);
   planted.for_each([&](JudgedFrame& f) {
@@ -138,7 +139,7 @@ TEST_F(Judge, NamesLostIdentities) {
   expect_label(planted, "identities_lost", {"id", "x", "v"});
 }
 
-TEST_F(Judge, NamesWrongFields) {
+TEST_F(LongJudge, NamesWrongFields) {
   Planted planted;
   planted.for_each([](JudgedFrame& f) {
     for (Vector3& v : f.v) v = -v;
@@ -158,7 +159,7 @@ TEST_F(Judge, NamesWrongFields) {
   }
 }
 
-TEST_F(Judge, CountsParticles) {
+TEST_F(LongJudge, CountsParticles) {
   Planted lost, doubled, broken;
   lost.frames[4].x.resize(lost.frames[4].x.size() - 3);
   for (const std::size_t k : {0, 1}) {

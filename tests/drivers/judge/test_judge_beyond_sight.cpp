@@ -32,8 +32,9 @@ class JudgeBeyondSight : public testing::Test {
   }
   ScratchFolder scratch_;
 };
+using LongJudgeBeyondSight = JudgeBeyondSight;
 
-TEST_F(JudgeBeyondSight, AWrongCodeInAnotherUnitIsToldItsUnitAndItsError) {
+TEST_F(LongJudgeBeyondSight, AWrongCodeInAnotherUnitIsToldItsUnitAndItsError) {
   Planted planted = wrong();
   const double plain = of(planted, {"id", "X", "x", "v"}).l2();
   for (const auto& [factor, unit] : {std::pair{1e3, "mm"}, {1e2, "cm"}, {1e-3, "km"}, {1 / 0.0254, "in"}}) {
@@ -83,7 +84,7 @@ TEST_F(JudgeBeyondSight, OfParticlesWithoutNamesASmallErrorIs) {
   EXPECT_NEAR(found.l2(), of(Planted(), {"id", "X", "x", "v"}).l2(), 1e-9);
 }
 
-TEST_F(JudgeBeyondSight, OfTwoGridsWithoutNamesNoOrderIsToldEither) {
+TEST_F(LongJudgeBeyondSight, OfTwoGridsWithoutNamesNoOrderIsToldEither) {
   const Planted coarse = wrong(), fine(Planted().scene_file, 0.6, 0.5 * Planted::spacing);
   const Verdict found = verdict_of(
       coarse.scene_file,
@@ -94,7 +95,7 @@ TEST_F(JudgeBeyondSight, OfTwoGridsWithoutNamesNoOrderIsToldEither) {
 }
 
 /// A scene of other parameters than those of the run.
-TEST_F(JudgeBeyondSight, AnotherSceneIsToldByItsVelocitiesAtTheStart) {
+TEST_F(LongJudgeBeyondSight, AnotherSceneIsToldByItsVelocitiesAtTheStart) {
   const std::string scene = bytes_of(Planted().scene_file);
   for (const auto& [from, to] : {std::pair{"peak: 1.0", "peak: 0.7"}, {"profile_power: 2", "profile_power: 4"}}) {
     std::string other = scene;

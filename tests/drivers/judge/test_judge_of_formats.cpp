@@ -107,8 +107,9 @@ class JudgeOfFormats : public testing::Test {
   Planted planted_;
   ScratchFolder scratch_;
 };
+using LongJudgeOfFormats = JudgeOfFormats;
 
-TEST_F(JudgeOfFormats, TheSameNumbersHaveTheSameErrors) {
+TEST_F(LongJudgeOfFormats, TheSameNumbersHaveTheSameErrors) {
   const Verdict text = of_text(17);
   fs::remove(scratch_ / "run/run.csv");
   for (std::size_t k = 0; k < planted_.frames.size(); ++k)
@@ -125,7 +126,7 @@ TEST_F(JudgeOfFormats, TheSameNumbersHaveTheSameErrors) {
 #endif
 }
 
-TEST_F(JudgeOfFormats, FewerDigitsHideWhatIsStated) {
+TEST_F(LongJudgeOfFormats, FewerDigitsHideWhatIsStated) {
   const Verdict whole = of_text(17);
   EXPECT_LT(whole.run()["rounding"].get<double>(), 1e-15);
   for (const int digits : {4, 6, 9}) {

@@ -6,6 +6,7 @@
 
 #include "drivers/output/errors_csv.hpp"
 #include "tests/drivers/judge/planted.hpp"
+#include "tests/support/some_of.hpp"
 #include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_judge_of_runs {
@@ -69,15 +70,17 @@ TEST_P(JudgeOfRuns, EqualsTheErrorsOfTheRun) {
   EXPECT_GE(compared, 5u) << said;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, JudgeOfRuns,
-                         testing::Values("paper/vortex_cpdi.yaml", "motions/twisting_ring.yaml",
-                                         "motions/rotating_stretch.yaml", "motions/axis_aligned.yaml",
-                                         "motions/bar_1d.yaml", "motions/rigid.yaml",
-                                         "motions/homogeneous_biaxial.yaml", "motions/homogeneous_shear.yaml",
-                                         "frames/vortex_rotation.yaml", "frames/vortex_translation.yaml",
-                                         "space/ball_mooney_rivlin.yaml", "space/homogeneous.yaml",
-                                         "space/rotating_stretch.yaml", "space/axis_aligned.yaml", "space/frame.yaml"),
-                         [](const auto& info) { return "scene_" + std::to_string(info.index); });
+const auto cases_of_judge_of_runs = one_of_each<JudgeOfRuns::ParamType>(
+    4,
+    testing::Values("paper/vortex_cpdi.yaml", "motions/twisting_ring.yaml", "motions/rotating_stretch.yaml",
+                    "motions/axis_aligned.yaml", "motions/bar_1d.yaml", "motions/rigid.yaml",
+                    "motions/homogeneous_biaxial.yaml", "motions/homogeneous_shear.yaml", "frames/vortex_rotation.yaml",
+                    "frames/vortex_translation.yaml", "space/ball_mooney_rivlin.yaml", "space/homogeneous.yaml",
+                    "space/rotating_stretch.yaml", "space/axis_aligned.yaml", "space/frame.yaml"));
+const auto name_of_judge_of_runs = [](const auto& info) { return "scene_" + std::to_string(info.index); };
+INSTANTIATE_TEST_SUITE_P(Scenes, JudgeOfRuns, testing::ValuesIn(cases_of_judge_of_runs.some), name_of_judge_of_runs);
+INSTANTIATE_TEST_SUITE_P(LongScenes, JudgeOfRuns, testing::ValuesIn(cases_of_judge_of_runs.others),
+                         name_of_judge_of_runs);
 
 }  // namespace
 }  // namespace assay::drivers::test_judge_of_runs

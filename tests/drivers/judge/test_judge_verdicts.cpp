@@ -42,6 +42,7 @@ class JudgeVerdicts : public testing::Test {
   Planted planted_;
   ScratchFolder scratch_;
 };
+using LongJudgeVerdicts = JudgeVerdicts;
 
 TEST_F(JudgeVerdicts, ABodyThatDoesNotMoveIsNotGood) {
   planted_.for_each([](JudgedFrame& f) { f.x = f.X; });
@@ -67,7 +68,7 @@ TEST_F(JudgeVerdicts, ResultsOfARunAreNotReplaced) {
   EXPECT_EQ(bytes_of(scratch_ / "verdict/report.html"), "of a run");
 }
 
-TEST_F(JudgeVerdicts, OfFewerRunsLeaveNoTablesOfAnEarlierOne) {
+TEST_F(LongJudgeVerdicts, OfFewerRunsLeaveNoTablesOfAnEarlierOne) {
   const std::string run = file("run.csv", planted_);
   const std::string finer = file("finer.csv", Planted(planted_.scene_file, 0.25 * Planted::error));
   of_runs({run, finer}, "0.1,0.05");
@@ -77,7 +78,7 @@ TEST_F(JudgeVerdicts, OfFewerRunsLeaveNoTablesOfAnEarlierOne) {
   EXPECT_TRUE(fs::exists(scratch_ / "verdict/errors.csv"));
 }
 
-TEST_F(JudgeVerdicts, AnErrorThatDoesNotFallIsNotGood) {
+TEST_F(LongJudgeVerdicts, AnErrorThatDoesNotFallIsNotGood) {
   const std::string run = file("run.csv", planted_);
   const Verdict found = of_runs({run, run}, "0.1,0.05");
   EXPECT_EQ(found.status, 1);
@@ -90,7 +91,7 @@ TEST_F(JudgeVerdicts, AnErrorThatDoesNotFallIsNotGood) {
 }
 
 /// As under gravity: no force that turns with the body does that.
-TEST_F(JudgeVerdicts, AnErrorThatGoesAroundTheRingOnceIsSaidToDoSo) {
+TEST_F(LongJudgeVerdicts, AnErrorThatGoesAroundTheRingOnceIsSaidToDoSo) {
   const auto fallen = [](double apart) {
     Planted planted(Planted().scene_file, 0.01 * Planted::error, apart);
     planted.for_each([](JudgedFrame& f) {
@@ -144,7 +145,7 @@ TEST_F(JudgeVerdicts, VelocitiesInTheirOwnUnitAreNamedByThatUnit) {
   EXPECT_EQ(of_runs({run}, {}, scratch_.write("b.yaml", "units: {length: mm, velocity: m/s}\n")).status, 0);
 }
 
-TEST_F(JudgeVerdicts, OtherFilesInTheFolderAreLeftOut) {
+TEST_F(LongJudgeVerdicts, OtherFilesInTheFolderAreLeftOut) {
   fs::create_directory(scratch_ / "run");
   for (std::size_t k = 0; k < planted_.frames.size(); ++k) {
     Planted one = planted_;

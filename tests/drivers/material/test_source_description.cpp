@@ -40,6 +40,7 @@ class SourceDescriptionTest : public SourceTest {
     return text;
   }
 };
+using LongSourceDescriptionTest = SourceDescriptionTest;
 
 TEST_F(SourceDescriptionTest, HasWhatWasGiven) {
   SourceRequest request;
@@ -135,7 +136,7 @@ TEST_F(SourceDescriptionTest, StateIsTakenWhereTheTextLeavesNoDoubt) {
   EXPECT_NE(all(describe(loop, check).warnings).find("loop.f: uses STATEV(7), and there are 3"), std::string::npos);
 }
 
-TEST_F(SourceDescriptionTest, TheEntryIsTheOneThatAbaqusWouldCall) {
+TEST_F(LongSourceDescriptionTest, TheEntryIsTheOneThatAbaqusWouldCall) {
   const std::string other = fixed_umat(hooke_statements, "UMAT_CLAY"), own = fixed_umat(hooke_statements, "MYLAW");
   EXPECT_EQ(model(describe(scratch.write("own.f", own))).symbol, "mylaw_") << "by its 37 arguments";
   EXPECT_EQ(model(describe(scratch.write("with.f", hooke_umat + other))).symbol, "umat_") << "the plain name";
@@ -199,7 +200,7 @@ TEST_F(SourceDescriptionTest, WhatMayFollowIsSaidAndNotAssumed) {
       << finite;
 }
 
-TEST_F(SourceDescriptionTest, SizesThatAbaqusDoesNotHandOverAreWarnedOf) {
+TEST_F(LongSourceDescriptionTest, SizesThatAbaqusDoesNotHandOverAreWarnedOf) {
   const auto warnings = [&](const std::string& statements, const std::string& include = "ABA_PARAM.INC") {
     return all(describe(scratch.write("m.f", fixed_umat(statements, "UMAT", include))).warnings);
   };
@@ -235,7 +236,7 @@ TEST_F(SourceDescriptionTest, AnotherListOfArgumentsIsWarnedOf) {
   EXPECT_EQ(warnings("JSTEP,KINC", "KSTEP,KINC").find("stands where"), std::string::npos) << "a name of its own";
 }
 
-TEST_F(SourceDescriptionTest, WhatTheCompilerWarnsOfIsTold) {
+TEST_F(LongSourceDescriptionTest, WhatTheCompilerWarnsOfIsTold) {
   const std::string routine = "      SUBROUTINE TWICE(A,B)\n      INCLUDE 'ABA_PARAM.INC'\n      B=2*A\n      END\n";
   const auto warnings = [&](const std::string& statements) {
     const std::string file = scratch.write("m.f", fixed_umat(hooke_statements + statements) + routine);
@@ -257,7 +258,7 @@ TEST_F(SourceDescriptionTest, WhatTheCompilerWarnsOfIsTold) {
   EXPECT_EQ(warnings("      SSE=TIME(2)+PREDEF(1)\n"), "");
 }
 
-TEST_F(SourceDescriptionTest, VariablesThatHoldLessOfAPropertyAreWarnedOf) {
+TEST_F(LongSourceDescriptionTest, VariablesThatHoldLessOfAPropertyAreWarnedOf) {
   const auto warnings = [&](const std::string& statements) {
     return all(describe(scratch.write("m.f", fixed_umat(statements))).warnings);
   };
@@ -298,7 +299,7 @@ TEST_F(SourceDescriptionTest, IsFoundByItsPath) {
   EXPECT_EQ(find_material((scratch / "two.inp") + ":B", {}, "k").table->parameter_count, 3u);
 }
 
-TEST_F(SourceDescriptionTest, ADescriptionMayNameASource) {
+TEST_F(LongSourceDescriptionTest, ADescriptionMayNameASource) {
   scratch.write("hooke.f", hooke_umat);
   const auto read = [&](const std::string& text) { return read_description(text, scratch / "d.yaml"); };
   const MaterialDescription first = read("source: hooke.f\ninterface: umat\n");

@@ -25,6 +25,7 @@ class SourceLibraryTest : public SourceTest {
     return line.substr(0, line.rfind(" (GNU Fortran"));
   }
 };
+using LongSourceLibraryTest = SourceLibraryTest;
 
 TEST_F(SourceLibraryTest, IsCompiledOnce) {
   const std::string source = scratch.write("hooke.f", hooke_umat);
@@ -68,7 +69,7 @@ TEST_F(SourceLibraryTest, NoPathOfTheSourceIsInIt) {
   EXPECT_EQ(bytes_of(built(scratch / "hooke.f")).find(scratch / ""), std::string::npos);
 }
 
-TEST_F(SourceLibraryTest, BothFormsWithAnyIncludeOfAbaqus) {
+TEST_F(LongSourceLibraryTest, BothFormsWithAnyIncludeOfAbaqus) {
   built(scratch.write("free.f90", free_hooke_umat));
   built(scratch.write("free.for", free_hooke_umat));
   built(scratch.write("directive.f", "!DIR$ FREEFORM\n" + free_hooke_umat));

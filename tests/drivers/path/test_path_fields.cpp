@@ -57,7 +57,7 @@ std::string refused(const std::string& path, const std::string& interface = "mfr
   return refusal_of([&] { tabulated(interface, path); });
 }
 
-TEST(PathFields, StrainAFreePoint) {
+TEST(LongPathFields, StrainAFreePoint) {
   const Found found = tabulated(
       "mfront", "{control: {s11: 0, s22: 0, s33: 0}, fields: {Temperature: {type: ramp, from: 300, to: 400}}}");
   EXPECT_EQ(found.status, 0);
@@ -65,7 +65,7 @@ TEST(PathFields, StrainAFreePoint) {
   EXPECT_EQ(found.last["Temperature"].get<double>(), 400);
 }
 
-TEST(PathFields, BeginAtTheirOwnValueAndEndAtThatOfAFile) {
+TEST(LongPathFields, BeginAtTheirOwnValueAndEndAtThatOfAFile) {
   const Found found = tabulated(
       "umat", "{control: {s11: 0, s22: 0, s33: 0}, fields: {temperature: {type: file, file: oven.csv, column: T}}}");
   EXPECT_EQ(found.status, 0);
@@ -73,7 +73,7 @@ TEST(PathFields, BeginAtTheirOwnValueAndEndAtThatOfAFile) {
   EXPECT_NEAR(found.last["t"].get<double>(), 2, 0);
 }
 
-TEST(PathFields, AreThoseOfTheDescription) {
+TEST(LongPathFields, AreThoseOfTheDescription) {
   const Found found = tabulated("vumat", "{control: {e11: 0}, fields: {swelling: {type: ramp, from: 0, to: 0.01}}}");
   EXPECT_EQ(found.status, 0);
   EXPECT_NEAR(found.last["s11"].get<double>(), -1000 / 0.4 * 0.01, tolerance * 1000);
@@ -109,7 +109,7 @@ TEST(PathFields, AreRefusedByAModelThatTakesNone) {
 }
 
 /// The parts of a function meet within rounding, and a field has no more periods than a row may have.
-TEST(PathFields, TakeWavesAsRowsDo) {
+TEST(LongPathFields, TakeWavesAsRowsDo) {
   EXPECT_EQ(tabulated("mfront",
                       "{control: {s11: 0}, end: 0.3, fields: {Temperature: {type: cycles, sizes: [1, 2, 3], "
                       "period: 0.1}}}")
@@ -172,7 +172,7 @@ void expect_the_same_end(const std::string& adapter, const ScratchFolder& scratc
   EXPECT_EQ(assay({"check", "--replay", scratch.write("other.yaml", cooler)}).status, 2);
 }
 
-TEST(PathFields, AreInTheStepOfAReplay) {
+TEST(LongPathFields, AreInTheStepOfAReplay) {
   const ScratchFolder scratch;
   expect_the_same_end(scratch.write("hot.yaml", "library: " + built("tests/foreign/umat_crashes_when_hot.so") +
                                                     "\ninterface: umat\nproperties: {E: 1000, nu: 0.3, alpha: "

@@ -62,7 +62,7 @@ TEST(PathTabulation, WritesTablesPicturesAndFigures) {
   EXPECT_NEAR(found.result["last"]["dissipation"].get<double>(), dissipated, 1e-7);
 }
 
-TEST(PathTabulation, JudgesItsExpectations) {
+TEST(LongPathTabulation, JudgesItsExpectations) {
   const std::string path = "path: {type: uniaxial_stress, control: {e11: 0.005}}\n";
   EXPECT_EQ(tabulated(elastic + path + "expect: {outcome: completed, last.e11: {between: [0.0049, 0.0051]}}\n").status,
             0);
@@ -74,7 +74,7 @@ TEST(PathTabulation, JudgesItsExpectations) {
   EXPECT_NEAR(tabulated(elastic + path, {"path.control.e11=0.1"}).result["last"]["e11"].get<double>(), 0.1, 1e-12);
 }
 
-TEST(PathTabulation, SaysWhyAPathEnds) {
+TEST(LongPathTabulation, SaysWhyAPathEnds) {
   const Found limit = tabulated(plastic + "path: {type: uniaxial_stress, control: {tau11: {type: ramp, to: 20}}}\n",
                                 {"material.parameters.hardening_modulus=0"});
   EXPECT_EQ(limit.status, 1);
@@ -95,7 +95,7 @@ TEST(PathTabulation, SaysWhyAPathEnds) {
   EXPECT_EQ(stopped.result["reason"], "e11 above 0.25 at t = 0.25 s");
 }
 
-TEST(PathTabulation, MeasuresWhatIncrementsCost) {
+TEST(LongPathTabulation, MeasuresWhatIncrementsCost) {
   const Found found = tabulated(plastic +
                                 "path: {control: {e11: {type: table, times: [0, 1, 2], values: [0, 0.04, 0.04]}, e12: "
                                 "{type: table, times: [0, 1, 2], values: [0, 0, 0.05]}, s22: 0, s33: 0}}\n"
@@ -111,7 +111,7 @@ TEST(PathTabulation, MeasuresWhatIncrementsCost) {
 }
 
 /// Three periods between two rows: each half and third of a step meets the same value.
-TEST(PathTabulation, TakesIncrementsFromTheCommandLine) {
+TEST(LongPathTabulation, TakesIncrementsFromTheCommandLine) {
   const ScratchFolder scratch;
   TabulateOptions options;
   options.scene = scratch.write(
@@ -135,7 +135,7 @@ TEST(PathTabulation, TakesIncrementsFromTheCommandLine) {
   }
 }
 
-TEST(PathTabulation, PrescribesTheVolume) {
+TEST(LongPathTabulation, PrescribesTheVolume) {
   const Found undrained =
       tabulated(elastic + "path: {type: undrained_triaxial, control: {F11: {type: ramp, to: 0.9}}}\n");
   EXPECT_EQ(undrained.status, 0);
@@ -153,7 +153,7 @@ TEST(PathTabulation, PrescribesTheVolume) {
             std::string::npos);
 }
 
-TEST(PathTabulation, JudgesVariants) {
+TEST(LongPathTabulation, JudgesVariants) {
   const std::string path =
       "path: {type: uniaxial_stress, control: {e11: {type: ramp, to: 0.05}}}\n"
       "variants: [{label: soft, parameters: {yield_stress: 5}}, {label: same}]\n";
@@ -185,7 +185,7 @@ TEST(PathTabulation, RefusesLabelsThatNameNothing) {
 }
 
 /// Consolidated and then sheared: Drucker-Prager peaks at q (1/sqrt 3 - friction) = k + 3 friction p.
-TEST(PathTabulation, GoesOnFromStageToStage) {
+TEST(LongPathTabulation, GoesOnFromStageToStage) {
   const std::string soil =
       "material: {adapter: drucker_prager, parameters: {E: 1.0e+7, nu: 0.3, cohesion: 1000, friction: 0.2, dilatancy: "
       "0.1}}\n";
@@ -249,7 +249,7 @@ TEST(PathTabulation, RefusesAnInitialStressThatIsNotCarried) {
             std::string::npos);
 }
 
-TEST(PathTabulation, SeesASineThatFitsItsRows) {
+TEST(LongPathTabulation, SeesASineThatFitsItsRows) {
   const Found found = tabulated(plastic +
                                 "path: {type: uniaxial_stress, rows: 10, control: {e11: {type: sine, amplitude: "
                                 "0.03, period: 0.03333333333333333}}}\n");
@@ -257,7 +257,7 @@ TEST(PathTabulation, SeesASineThatFitsItsRows) {
   EXPECT_GT(found.result["last"]["plastic_strain"].get<double>(), 0.9);
 }
 
-TEST(PathTabulation, StopsAtRestAndWhereItsCallsEnd) {
+TEST(LongPathTabulation, StopsAtRestAndWhereItsCallsEnd) {
   const std::string ramp = "path: {type: uniaxial_stress, control: {e11: {type: ramp, to: 1}}";
   const Found rest = tabulated(plastic + ramp + ", stop: {above: {e11: -1}}}\n");
   EXPECT_EQ(rest.result["t"], 0);
@@ -267,7 +267,7 @@ TEST(PathTabulation, StopsAtRestAndWhereItsCallsEnd) {
 }
 
 /// Of measured values on the path, the last one too; what lies beyond it is told.
-TEST(PathTabulation, CountsMeasuredValues) {
+TEST(LongPathTabulation, CountsMeasuredValues) {
   const std::string text = elastic +
                            "path: {type: uniaxial_stress, control: {e11: {type: ramp, to: 0.02}}}\n"
                            "compare: {file: data.csv, x: e11, y: s11, x_column: x, y_column: y}\n";
@@ -293,7 +293,7 @@ TEST(PathTabulation, RefusesWhatBelongsElsewhere) {
 }
 
 /// At a jump two rows stand at one time: each is compared with its like.
-TEST(PathTabulation, AVariantThatIsTheSameDiffersByNothing) {
+TEST(LongPathTabulation, AVariantThatIsTheSameDiffersByNothing) {
   const std::string same = "variants: [{label: same, parameters: {nu: 0.3}}]\n";
   for (const char* control :
        {"tau11: 12", "e11: {type: table, times: [0, 0.5, 0.5, 1], values: [0, 0.01, 0.02, 0.03]}"}) {
@@ -303,7 +303,7 @@ TEST(PathTabulation, AVariantThatIsTheSameDiffersByNothing) {
 }
 
 /// "elast." ends with "last.": a label is no prefix of a column.
-TEST(PathTabulation, LabelsMayHoldTheWordsOfKeys) {
+TEST(LongPathTabulation, LabelsMayHoldTheWordsOfKeys) {
   const Found found = tabulated(plastic +
                                 "path: {type: uniaxial_stress, control: {e11: {type: ramp, to: 0.02}}}\n"
                                 "variants: [{label: elast, parameters: {yield_stress: 5}}]\n"
@@ -313,7 +313,7 @@ TEST(PathTabulation, LabelsMayHoldTheWordsOfKeys) {
 }
 
 /// Stress that is prescribed is met, whatever the increments err by: the deformation tells.
-TEST(PathTabulation, IncrementsUnderStressErrInDeformation) {
+TEST(LongPathTabulation, IncrementsUnderStressErrInDeformation) {
   const std::string back =
       "material: {adapter: j2_jaumann, parameters: {E: 1.0e+3, nu: 0.3, yield_stress: 10, hardening_modulus: 20, "
       "kinematic_modulus: 30}}\n";
@@ -332,7 +332,7 @@ TEST(PathTabulation, IncrementsUnderStressErrInDeformation) {
 }
 
 /// The path is known at the times at which it is compared, however few its rows are.
-TEST(PathTabulation, AMisfitDoesNotDependOnRows) {
+TEST(LongPathTabulation, AMisfitDoesNotDependOnRows) {
   const std::string rest =
       ", control: {e11: {type: sine, amplitude: 0.01, period: 0.4}}}\ncompare: {file: data.csv, y: s11, y_column: y}\n";
   const double few = tabulated(elastic + "path: {type: uniaxial_stress, rows: 1" + rest).result["misfit"];
@@ -341,7 +341,7 @@ TEST(PathTabulation, AMisfitDoesNotDependOnRows) {
 }
 
 /// One unknown deformation: its stiffness vanishes at the largest load.
-TEST(PathTabulation, ALimitLoadOfOneUnknownIsNamed) {
+TEST(LongPathTabulation, ALimitLoadOfOneUnknownIsNamed) {
   const Found found = tabulated(
       "material: {adapter: neo_hookean, parameters: {E: 3.0e+6, nu: 0.2}}\n"
       "path: {type: isotropic, control: {s11: {type: ramp, to: 3.0e+6}}}\n");

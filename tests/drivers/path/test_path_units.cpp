@@ -91,7 +91,7 @@ Tabulated tabulated(const std::string& text) {
 }
 
 // The model's own equations know nothing of units: creep e = s/E + rate (s/reference)^n t, to first order in strain.
-TEST(PathUnits, ResultsAreInThem) {
+TEST(LongPathUnits, ResultsAreInThem) {
   constexpr double rounding = 1e-12;
   const std::string expect =
       "expect: {outcome: completed, last.s11: {between: [199, 201]}, t: {above: 2999}, "
@@ -114,7 +114,7 @@ TEST(PathUnits, ResultsAreInThem) {
   EXPECT_NE(own.resolved.find("last.s11: {between: [1.99e+8, 2.01e+8]}"), std::string::npos) << own.resolved;
 }
 
-TEST(PathUnits, AFileWithoutUnitsIsInThem) {
+TEST(LongPathUnits, AFileWithoutUnitsIsInThem) {
   const auto last = [&](const std::string& file, const std::string& more) {
     const Tabulated found =
         tabulated(head + own_material + "path: {type: uniaxial_stress, control: {s11: {type: file, file: " + file +
@@ -145,7 +145,7 @@ TEST(PathUnits, MessagesAreInThem) {
 }
 
 /// Limits on figures of a variant are in the units of the scene as well, and resolved.yaml holds as the scene does.
-TEST(PathUnits, LimitsOnVariantsAreConverted) {
+TEST(LongPathUnits, LimitsOnVariantsAreConverted) {
   const std::string text =
       "units: {length: mm, stress: MPa, time: min}\n"
       "material: {adapter: neo_hookean, parameters: {E: 10, nu: 0.3}, density: 1.0e-9}\n"

@@ -69,8 +69,9 @@ class RimOfARun : public testing::Test {
     return {result["rim"], testing::internal::GetCapturedStderr()};
   }
 };
+using LongRimOfARun = RimOfARun;
 
-TEST_F(RimOfARun, CoarseGridsAreWarnedOfAndFineOnesAreNot) {
+TEST_F(LongRimOfARun, CoarseGridsAreWarnedOfAndFineOnesAreNot) {
   const auto [coarse, warned] = run_of("j2_multiplicative", "0.1");
   const auto [fine, silent] = run_of("j2_multiplicative", "0.05");
   EXPECT_NE(warned.find("warning: the plastic rim is"), std::string::npos) << warned;

@@ -50,7 +50,7 @@ TEST(Screening, AMotionThatIsNoStableSolutionIsRefused) {
   EXPECT_TRUE(std::filesystem::exists(out + "/report.html"));
 }
 
-TEST(Screening, ItsLargestSafeAmplitudeIsRunAndALittleMoreIsNot) {
+TEST(LongScreening, ItsLargestSafeAmplitudeIsRunAndALittleMoreIsNot) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out";
   EXPECT_EQ(run(quick_run(out, {"time.end=1"})), 1);

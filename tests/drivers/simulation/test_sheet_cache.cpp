@@ -45,6 +45,7 @@ class Cached : public testing::Test {
   std::shared_ptr<const Material> material_;
   Path path_;
 };
+using LongCached = Cached;
 
 TEST_F(Cached, ASheetIsMadeOnceAndIsTheSameFromDisk) {
   const auto first = response(), second = response();
@@ -182,7 +183,7 @@ TEST_F(Cached, NothingIsKeptWhereTheSceneSaysSoOrTheDiskDoesNot) {
 }
 
 /// The library of a built-in model is the program, whatever name it was called by.
-TEST_F(Cached, ASheetOfABuiltInModelIsKeptByAProgramThatPathFinds) {
+TEST_F(LongCached, ASheetOfABuiltInModelIsKeptByAProgramThatPathFinds) {
   for (const bool cached : {false, true}) {
     const Ending ending = assay({"tabulate", home_ / "cached.yaml", "--json", "--quiet", "-o", home_ / "out"});
     ASSERT_EQ(ending.status, 0) << ending.said;

@@ -78,7 +78,7 @@ TEST(TimeControl, MeetsHalfThePeriodAndTheEnd) {
   }
 }
 
-TEST(TimeControl, FindsWhatEqualStepsFindInFewerOfThem) {
+TEST(LongTimeControl, FindsWhatEqualStepsFindInFewerOfThem) {
   const std::vector<std::string> base{"output={particles: 0, pictures: false, report: false}"};
   std::vector<std::string> current = base;
   current.push_back("time.control=current");

@@ -114,8 +114,9 @@ class StandardRun : public testing::Test {
   ScratchFolder scratch_;
   std::string said_;
 };
+using LongStandardRun = StandardRun;
 
-TEST_F(StandardRun, LeavesACardThatAnotherJudgementRepeats) {
+TEST_F(LongStandardRun, LeavesACardThatAnotherJudgementRepeats) {
   EXPECT_EQ(status_of(options("run", "own")), 0) << said_;
   const auto own = card("own");
   ASSERT_EQ(own["codes"].size(), 2u);
@@ -135,7 +136,7 @@ TEST_F(StandardRun, LeavesACardThatAnotherJudgementRepeats) {
   EXPECT_TRUE(card("again")["codes"][0]["rows"][1]["grids"].empty());
 }
 
-TEST_F(StandardRun, ProblemsInSpaceAreRunAndJudged) {
+TEST_F(LongStandardRun, ProblemsInSpaceAreRunAndJudged) {
   StandardSet set = standard_set(1, {"vortex3d_history"});
   for (StandardProblem& problem : set.problems) problem.grids = {0.25, 0.125};  // the edition's take minutes
   for (const StandardMethod& method : set.methods) {
@@ -151,7 +152,7 @@ TEST_F(StandardRun, ProblemsInSpaceAreRunAndJudged) {
   }
 }
 
-TEST_F(StandardRun, ARunThatEndsEarlyOrIsDamagedIsNotGood) {
+TEST_F(LongStandardRun, ARunThatEndsEarlyOrIsDamagedIsNotGood) {
   ASSERT_EQ(status_of(options("run", "own")), 0);
   const fs::path run = fs::path(scratch_ / "own") / "cpdi2/rotating_stretch/h_0.0625";
   std::string collection = bytes_of((run / "particles.pvd").string());
@@ -166,7 +167,7 @@ TEST_F(StandardRun, ARunThatEndsEarlyOrIsDamagedIsNotGood) {
   EXPECT_EQ(row["causes"], nlohmann::json({"ends_early"}));
 }
 
-TEST_F(StandardRun, WithoutTheFinestGridIsNotGood) {
+TEST_F(LongStandardRun, WithoutTheFinestGridIsNotGood) {
   ASSERT_EQ(status_of(options("run", "own")), 0);
   const fs::path problem = fs::path(scratch_ / "own") / "cpdi2/rotating_stretch";
   const auto judged = [&] {

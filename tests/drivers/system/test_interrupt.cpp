@@ -56,7 +56,7 @@ TEST(InterruptDeathTest, second_signal_ends_the_process) {
 }
 
 // As in a native model that does not come back.
-TEST(InterruptDeathTest, a_signal_that_nobody_notices_ends_the_process) {
+TEST(LongInterruptDeathTest, a_signal_that_nobody_notices_ends_the_process) {
   EXPECT_EXIT(
       {
         watch_interrupts();
@@ -67,7 +67,7 @@ TEST(InterruptDeathTest, a_signal_that_nobody_notices_ends_the_process) {
       testing::ExitedWithCode(128 + SIGINT), "");
 }
 
-TEST(InterruptDeathTest, one_that_is_noticed_leaves_the_time_to_clean_up) {
+TEST(LongInterruptDeathTest, one_that_is_noticed_leaves_the_time_to_clean_up) {
   EXPECT_EXIT(
       {
         watch_interrupts();

@@ -57,9 +57,10 @@ class EvalColumns : public testing::Test {
   ScratchFolder scratch_;
   std::string scene_ = ring, name_ = "out.csv";
 };
+using LongEvalColumns = EvalColumns;
 
 /// Each column by itself holds the same text as in the full table, whatever else is left out.
-TEST_F(EvalColumns, AreThoseOfTheFullTable) {
+TEST_F(LongEvalColumns, AreThoseOfTheFullTable) {
   const std::string plane = "X,Y,t\n0.9,0.3,0.4\n-0.2,1.1,0.7\n0.5,0.7,0.4\n1.4,0,0.3\n0.9,0.3,0.7\n";
   const std::string space = "X,Y,Z,t\n0.4,0.3,0.2,0.4\n-0.2,0.1,0.1,0.7\n0.5,0.2,0,0.4\n0.4,0.3,0.2,0.7\n";
   const std::vector<std::pair<std::string, std::string>> scenes{

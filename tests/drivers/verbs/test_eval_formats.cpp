@@ -81,6 +81,7 @@ class EvalFormats : public testing::Test {
   EvalOptions options_;
   CsvTable table_;
 };
+using LongEvalFormats = EvalFormats;
 
 TEST_F(EvalFormats, NpyHasTheColumnsAsFields) {
   const std::string text = written("exact.npy");
@@ -172,7 +173,7 @@ TEST_F(EvalFormats, PointsMayBeArrays) {
   }
 }
 
-TEST_F(EvalFormats, NumPyReadsAndWritesThem) {
+TEST_F(LongEvalFormats, NumPyReadsAndWritesThem) {
   if (python_with_numpy().empty()) GTEST_SKIP() << "NumPy is not installed (python3-numpy)";
   written("exact.npy");
   written("exact.npz");

@@ -43,8 +43,9 @@ class EvalStreams : public testing::Test {
   }
   ScratchFolder scratch_, said_;
 };
+using LongEvalStreams = EvalStreams;
 
-TEST_F(EvalStreams, StandardInputAndOutputAreFiles) {
+TEST_F(LongEvalStreams, StandardInputAndOutputAreFiles) {
   const std::string text = many_points(10'000);
   const std::string points = scratch_.write("points.csv", text);
   ASSERT_EQ(with_input({"--points", points, "-o", "file.csv"}, "").status, 0);
@@ -163,7 +164,7 @@ long peak_memory(const ScratchFolder& scratch, int rows, const std::string& out)
   return usage.ru_maxrss;
 }
 
-TEST_F(EvalStreams, MemoryDoesNotGrowWithTheRows) {
+TEST_F(LongEvalStreams, MemoryDoesNotGrowWithTheRows) {
   constexpr int rows = 150'000;     // more than the blocks whose points are remembered
   constexpr long margin = 8 << 10;  // [KiB], what an allocator keeps; all rows would take 300 MiB more
   for (const char* out : {"a.csv", "a.npy", "a.npz", "a.vtu"})

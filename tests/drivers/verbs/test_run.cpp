@@ -38,7 +38,7 @@ TEST(Run, LeavesACompleteResult) {
 }
 
 /// The figures of result.json against the table that they come from.
-TEST(Run, ItsFiguresAreThoseOfItsHistory) {
+TEST(LongRun, ItsFiguresAreThoseOfItsHistory) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out";
   ASSERT_EQ(run(quick(out)), 0);
@@ -61,7 +61,7 @@ TEST(Run, ItsFiguresAreThoseOfItsHistory) {
   EXPECT_EQ(error["l2_half"].get<double>(), half);
 }
 
-TEST(Run, RepeatsItselfBitForBitAlsoFromItsResolvedScene) {
+TEST(LongRun, RepeatsItselfBitForBitAlsoFromItsResolvedScene) {
   const ScratchFolder scratch;
   const std::string a = scratch / "a", b = scratch / "b", c = scratch / "c";
   ASSERT_EQ(run(quick(a)), 0);
@@ -79,7 +79,7 @@ TEST(Run, RepeatsItselfBitForBitAlsoFromItsResolvedScene) {
   }
 }
 
-TEST(Run, AnUnstableRunIsAFinding) {
+TEST(LongRun, AnUnstableRunIsAFinding) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out";
   EXPECT_EQ(run(quick(out, {"method.basis=ugimp", "grid.spacing=0.05"})), 1);  // not expected
@@ -92,7 +92,7 @@ TEST(Run, AnUnstableRunIsAFinding) {
   EXPECT_EQ(run(quick(out, {"method.basis=ugimp", "grid.spacing=0.05", "expect={outcome: unstable}"})), 0);
 }
 
-TEST(Run, AMaterialThatFailsIsAFindingBeforeAndDuringTheSteps) {
+TEST(LongRun, AMaterialThatFailsIsAFindingBeforeAndDuringTheSteps) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out";
   const auto material = [](double modulus) {
@@ -109,7 +109,7 @@ TEST(Run, AMaterialThatFailsIsAFindingBeforeAndDuringTheSteps) {
   EXPECT_NE(result_in(out)["reason"].get<std::string>().find("particle"), std::string::npos);
 }
 
-TEST(Run, AnExpectationThatFailsContradicts) {
+TEST(LongRun, AnExpectationThatFailsContradicts) {
   const ScratchFolder scratch;
   EXPECT_EQ(run(quick(scratch / "a", {"expect={error.l2_max: {below: 1e-6}}"})), 1);
   EXPECT_EQ(run(quick(scratch / "b", {"expect={error.l2_max: {below: 1}, outcome: completed}"})), 0);
@@ -170,7 +170,7 @@ TEST(Run, BadInputLeavesNothing) {
   }
 }
 
-TEST(Run, EveryFieldsErrorSeesADissipatingTransfer) {
+TEST(LongRun, EveryFieldsErrorSeesADissipatingTransfer) {
   const ScratchFolder scratch;
   const std::string good = scratch / "good", bad = scratch / "bad";
   ASSERT_EQ(run(quick(good, {"grid.spacing=0.0625", "time.end=0.3"})), 0);
@@ -183,7 +183,7 @@ TEST(Run, EveryFieldsErrorSeesADissipatingTransfer) {
 }
 
 /// The sheet and the particles agree on the direction: on another one, or left Cartesian, the error would be large.
-TEST(Run, ACylindricallyOrthotropicRingMovesAsItShould) {
+TEST(LongRun, ACylindricallyOrthotropicRingMovesAsItShould) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out";
   const std::string wood =

@@ -74,7 +74,7 @@ TEST(Tabulate, AnswersPointsInTheOrderAskedAlsoOutsideTheRing) {
 }
 
 /// The command line prints what the equations of a model with memory give, through loading, unloading and reversal.
-TEST(Tabulate, AnswersPointsOfAModelWithMemoryByItsEquations) {
+TEST(LongTabulate, AnswersPointsOfAModelWithMemoryByItsEquations) {
   const ScratchFolder scratch;
   const std::string scene =
       scratch.write("scene.yaml",

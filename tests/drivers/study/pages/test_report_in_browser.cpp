@@ -131,8 +131,9 @@ class ReportInBrowser : public testing::Test {
 
   ScratchFolder scratch_;
 };
+using LongReportInBrowser = ReportInBrowser;
 
-TEST_F(ReportInBrowser, wide_and_narrow_light_and_dark) {
+TEST_F(LongReportInBrowser, wide_and_narrow_light_and_dark) {
   const std::string page = sample_page();
   for (const bool dark : {false, true}) {
     expect_good(page, 1280, 900, dark);
@@ -140,12 +141,12 @@ TEST_F(ReportInBrowser, wide_and_narrow_light_and_dark) {
   }
 }
 
-TEST_F(ReportInBrowser, many_series_and_none_that_completed) {
+TEST_F(LongReportInBrowser, many_series_and_none_that_completed) {
   expect_good(study_report_html(crowded_study(40), {}), 1280, 900, false);
   expect_good(study_report_html(failed_study(), {}), 390, 844, true);
 }
 
-TEST_F(ReportInBrowser, the_picture_of_stability) {
+TEST_F(LongReportInBrowser, the_picture_of_stability) {
   for (const StudyFindings& findings : {sample_study(), crowded_study(12)}) {
     const std::string svg = svg_text(stability_picture(stability_map(findings)));
     const Sight sight = seen_of("<!doctype html><body><div style=\"width:1000px\">" + svg + "</div></body>", 1280, 900,
@@ -157,7 +158,7 @@ TEST_F(ReportInBrowser, the_picture_of_stability) {
 }
 
 /// What the probe is there for is found where it is planted.
-TEST_F(ReportInBrowser, planted_faults_are_caught) {
+TEST_F(LongReportInBrowser, planted_faults_are_caught) {
   Drawing drawing{600, 100, "", {}};
   drawing.label({100, 50}, "one label", 14, Anchor::left);
   drawing.label({130, 54}, "another label", 14, Anchor::left);

@@ -179,7 +179,7 @@ TEST(CaseKey, ChangesWithTheFilesThatTheModelReads) {
 }
 
 /// As a routine does that asks for its folder by GETOUTDIR.
-TEST(CaseKey, ChangesWithFilesBesideASourceThatItsTextNames) {
+TEST(LongCaseKey, ChangesWithFilesBesideASourceThatItsTextNames) {
   if (!has_gfortran()) GTEST_SKIP() << "no Fortran compiler";
   const StudyFolder folder;
   std::string scene = small_scene;

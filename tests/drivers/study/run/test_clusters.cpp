@@ -25,7 +25,7 @@ Ending shell_command(const ScratchFolder& scratch, const std::string& command) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(said)};
 }
 
-TEST(Clusters, GnuParallelRunsShards) {
+TEST(LongClusters, GnuParallelRunsShards) {
   const SmallStudy small;
   if (shell_command(small.scratch, "parallel --version | grep -q '^GNU parallel'").status != 0)
     GTEST_SKIP() << "GNU parallel is not installed";
@@ -43,7 +43,7 @@ std::string as_task(int index, int count, const std::string& more = "") {
          more + " bash " + array_script + " study.yaml out";
 }
 
-TEST(Clusters, TheArrayScriptMapsItsIndexToAShard) {
+TEST(LongClusters, TheArrayScriptMapsItsIndexToAShard) {
   const SmallStudy small;
   ASSERT_EQ(small.run("whole").status, 0);
   const Ending first = shell_command(small.scratch, as_task(1, 2, "SLURM_CPUS_ON_NODE=2"));

@@ -28,7 +28,7 @@ void expect_one_line(const Ending& ending, const std::string& folder) {
   EXPECT_EQ(std::count(ending.said.begin(), ending.said.end(), '\n'), 1) << ending.said;
 }
 
-TEST(StudyFailures, AFullDiskIsOneLineAndResumes) {
+TEST(LongStudyFailures, AFullDiskIsOneLineAndResumes) {
   const SmallStudy small;
   ASSERT_EQ(small.run("whole").status, 0);
   std::size_t finished = 0;

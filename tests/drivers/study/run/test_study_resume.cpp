@@ -55,7 +55,7 @@ void kill_and_resume(const SmallStudy& small, const std::string& out, unsigned s
   EXPECT_TRUE(all_gone(small.scratch / out));
 }
 
-TEST(StudyResume, KilledTwentyTimesItFindsTheSame) {
+TEST(LongStudyResume, KilledTwentyTimesItFindsTheSame) {
   const SmallStudy small(small_study_text("timing: {repeat: 2, seconds: 1, where: {method: CPDI}}\n"));
   ASSERT_EQ(small.run("undisturbed").status, 0);
   kill_and_resume(small, "killed", 12345);
@@ -66,7 +66,7 @@ TEST(StudyResume, KilledTwentyTimesItFindsTheSame) {
   EXPECT_EQ(same_in_every_run(small.scratch / "killed"), same_in_every_run(small.scratch / "undisturbed"));
 }
 
-TEST(StudyResume, CasesOfAnotherKeyAreNotTakenAndThatIsSaid) {
+TEST(LongStudyResume, CasesOfAnotherKeyAreNotTakenAndThatIsSaid) {
   const SmallStudy small;
   ASSERT_EQ(small.run("out").status, 0);
   EXPECT_EQ(small.run("out", {"--merge"}).said.find("are missing"), std::string::npos);
@@ -82,7 +82,7 @@ TEST(StudyResume, CasesOfAnotherKeyAreNotTakenAndThatIsSaid) {
   EXPECT_EQ(small.run("out", {"--merge"}).said.find("are missing"), std::string::npos) << "nothing is missing any more";
 }
 
-TEST(StudyResume, FinishedCasesAreKeptAndThatIsSaid) {
+TEST(LongStudyResume, FinishedCasesAreKeptAndThatIsSaid) {
   const SmallStudy small;
   ASSERT_EQ(small.run("out").status, 0);
   const auto before = marks_of_cases(small.scratch / "out");

@@ -24,7 +24,7 @@ std::vector<int> at_once(const SmallStudy& small, const std::vector<std::vector<
   return statuses;
 }
 
-TEST(StudyShards, MergedFromOneFolderTheyAreTheWhole) {
+TEST(LongStudyShards, MergedFromOneFolderTheyAreTheWhole) {
   const SmallStudy small;
   ASSERT_EQ(small.run("whole").status, 0);
   const std::vector<int> good{0, 0};
@@ -40,7 +40,7 @@ TEST(StudyShards, MergedFromOneFolderTheyAreTheWhole) {
   EXPECT_EQ(same_in_every_run(small.scratch / "out"), same_in_every_run(small.scratch / "whole"));
 }
 
-TEST(StudyShards, MergedFromTwoFoldersTheyAreTheWhole) {
+TEST(LongStudyShards, MergedFromTwoFoldersTheyAreTheWhole) {
   const SmallStudy small(small_study_text("timing: {repeat: 2, where: {method: CPDI}}\n"));
   ASSERT_EQ(small.run("whole").status, 0);
   ASSERT_EQ(small.run("one", {"--shard", "1/2"}).status, 0);
@@ -62,7 +62,7 @@ std::size_t lines_with(const std::string& text, const std::string& words) {
 }
 
 /// On an empty folder, on one that is finished, and where one of the two goes on: none loses a case to the other.
-TEST(StudyShards, TwoStudiesInOneFolderShareItsCases) {
+TEST(LongStudyShards, TwoStudiesInOneFolderShareItsCases) {
   const SmallStudy small;
   const std::vector<int> good{0, 0};
   const std::vector<std::vector<std::string>> second{{}, {}, {"--resume"}};
@@ -165,7 +165,7 @@ TEST(LongStudyShards, TwoStudiesAtOnceCorruptNothing) {
   EXPECT_EQ(same_in_every_run(small.scratch / "out"), same_in_every_run(small.scratch / "whole"));
 }
 
-TEST(StudyShards, TwoMergesAtOnceBothEndWell) {
+TEST(LongStudyShards, TwoMergesAtOnceBothEndWell) {
   const SmallStudy small;
   ASSERT_EQ(small.run("out").status, 0);
   for (int k = 0; k < 3; ++k) {

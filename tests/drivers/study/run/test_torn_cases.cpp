@@ -62,6 +62,7 @@ class TornCases : public testing::TestWithParam<TornCase> {
   static SmallStudy* small_;
   std::string out_, torn_;
 };
+using LongTornCases = TornCases;
 
 SmallStudy* TornCases::small_ = nullptr;
 
@@ -78,7 +79,7 @@ TEST_P(TornCases, AreRunAgain) {
   EXPECT_EQ(same_in_every_run(out_), same_in_every_run(small_->scratch / "undisturbed"));
 }
 
-TEST_P(TornCases, AreMissingInAMergeUnlessTakenFromElsewhere) {
+TEST_P(LongTornCases, AreMissingInAMergeUnlessTakenFromElsewhere) {
   const Ending merged = small_->run("out", {"--merge"});
   EXPECT_EQ(merged.status, 1) << merged.said;
   EXPECT_EQ(
@@ -96,6 +97,14 @@ INSTANTIATE_TEST_SUITE_P(Files, TornCases,
                                          TornCase{"record_flipped", flipped("case.json")}),
                          [](const auto& torn) { return torn.param.name; });
 INSTANTIATE_TEST_SUITE_P(LongFiles, TornCases,
+                         testing::Values(TornCase{"errors_flipped", flipped("errors.csv")},
+                                         TornCase{"record_missing", removed("case.json"), true}),
+                         [](const auto& torn) { return torn.param.name; });
+INSTANTIATE_TEST_SUITE_P(Files, LongTornCases,
+                         testing::Values(TornCase{"result_a_folder", made_a_folder("result.json")},
+                                         TornCase{"record_flipped", flipped("case.json")}),
+                         [](const auto& torn) { return torn.param.name; });
+INSTANTIATE_TEST_SUITE_P(LongFiles, LongTornCases,
                          testing::Values(TornCase{"errors_flipped", flipped("errors.csv")},
                                          TornCase{"record_missing", removed("case.json"), true}),
                          [](const auto& torn) { return torn.param.name; });
