@@ -25,8 +25,9 @@ TEST_P(Snippets, Run) {
 
 // A misspelt language or info word would leave a block out in silence.
 TEST_P(Snippets, SayWhatTheyAre) {
-  const std::vector<std::string> known{"sh",  "console", "c",    "cpp",     "cmake", "yaml",
-                                       "csv", "json",    "text", "fortran", "python"};
+  const std::vector<std::string> known{"sh",       "console", "c",    "cpp",     "cmake",  "yaml",
+                                       "csv",      "json",    "text", "fortran", "python", "plugin",
+                                       "own_code", "study",   "umat", "verify",  "scene"};
   for (const Block& block : parse_page(GetParam(), assay::house::text_of(GetParam())).blocks) {
     const std::string where = GetParam() + ":" + std::to_string(block.line);
     EXPECT_NE(std::find(known.begin(), known.end(), block.language), known.end()) << where << ": " << block.language;
@@ -36,7 +37,8 @@ TEST_P(Snippets, SayWhatTheyAre) {
 
 /// Those whose commands take more than five seconds of one core.
 std::vector<std::string> pages_that_take(bool long_) {
-  const std::set<std::string> slow{"standard", "scenes", "paths", "resolution", "ci", "report", "commands", "python"};
+  const std::set<std::string> slow{"standard", "scenes", "paths",    "resolution", "ci",   "report", "commands",
+                                   "python",   "plugin", "own_code", "study",      "umat", "verify", "scene"};
   std::vector<std::string> chosen = pages();
   std::erase_if(chosen, [&](const std::string& page) { return slow.contains(stem_of(page)) != long_; });
   return chosen;

@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, BeforeTheEnd,
                                          "update interrupt"),
                          [](const auto& instance) { return name_of(instance.param); });
 
-TEST(EndOfProcess, ASignalOfTheModelToItsWatcherEndsNoRun) {
+TEST(LongEndOfProcess, ASignalOfTheModelToItsWatcherEndsNoRun) {
   for (const char* deed : {"update terminate_parent", "update hang_up_parent"}) {
     const Misdeeds the;
     const Ending run = the.program(the.run_words(the.library), deed);
@@ -161,7 +161,7 @@ TEST(LongEndOfProcess, CtrlCEndsAModelThatHasLeftItsGroup) {
       << status << bytes_of(the.scratch / "said");
 }
 
-TEST(EndOfProcess, AStudyDoesNotCallARunCrashedThatWasWhole) {
+TEST(LongEndOfProcess, AStudyDoesNotCallARunCrashedThatWasWhole) {
   const Misdeeds the;
   std::string text = small_study_text();
   const std::string axis = "  method: {CPDI: {method.basis: cpdi}, uGIMP: {method.basis: ugimp}}\n";

@@ -44,8 +44,9 @@ class KeptInputs : public testing::Test {
 
   ScratchFolder scratch_;
 };
+using LongKeptInputs = KeptInputs;
 
-TEST_F(KeptInputs, AreNotReplacedByAFile) {
+TEST_F(LongKeptInputs, AreNotReplacedByAFile) {
   const std::string phrase = "would replace an input of that name";
   fs::create_hard_link(scratch_ / "p.so", scratch_ / "other.so");
   for (const char* file : {"s.yaml", "t.csv", "p.so", "other.so"})

@@ -138,7 +138,7 @@ TEST_P(MisbehavingModel, IsNamedByARunAndAgainByItsReplay) {
   EXPECT_NE(one_line_of(again.said).find(m.said_by_run), std::string::npos) << again.said;
 }
 
-const auto cases_of_misbehaving_model = one_of_each<MisbehavingModel::ParamType>(3, testing::ValuesIn(all));
+const auto cases_of_misbehaving_model = one_of_each<MisbehavingModel::ParamType>(5, testing::ValuesIn(all));
 const auto name_of_misbehaving_model = [](const auto& instance) { return std::string(instance.param.name); };
 INSTANTIATE_TEST_SUITE_P(Kinds, MisbehavingModel, testing::ValuesIn(cases_of_misbehaving_model.some),
                          name_of_misbehaving_model);
@@ -162,7 +162,7 @@ TEST(AssertingModel, MayDieOfAnFThatIsNoNumber) {
 }
 
 /// What changes by chance does not follow from the words around the arrays.
-TEST(UnsteadyModel, IsNotToldToReadBeyondItsArrays) {
+TEST(LongUnsteadyModel, IsNotToldToReadBeyondItsArrays) {
   if (!fs::exists(library)) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
   for (const char* which : {"36", "37"}) {  // by a random number, by the clock

@@ -226,8 +226,11 @@ void planted_is_caught(const std::vector<MotionCase>& cases) {
   }
 }
 
-TEST(LongPlantedInTheBox, IsCaught) { planted_is_caught(box_cases); }
-TEST(LongPlantedInTheBox, IsCaught) { planted_is_caught(more_box_cases); }
+TEST(PlantedInTheBox, IsCaught) { planted_is_caught({box_cases.front()}); }
+TEST(LongPlantedInTheBox, IsCaught) {
+  planted_is_caught(box_cases);
+  planted_is_caught(more_box_cases);
+}
 
 // Ten times as stiff as the scene's: what is wrong with the stress is then not hidden behind the inertia.
 TEST(LongPlantedInTheRing, IsCaught) {

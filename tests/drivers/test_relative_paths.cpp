@@ -46,7 +46,7 @@ TEST_F(LongRelativePaths, TheSearchPathServesEveryVerb) {
   EXPECT_EQ(tabulated.status, 0) << tabulated.said;
 }
 
-TEST_F(RelativePaths, SoIsTheFolderForTemporaryFiles) {
+TEST_F(LongRelativePaths, SoIsTheFolderForTemporaryFiles) {
   fs::create_directories(folder / "tmp");
   const Ending ending = run({"check", "law_here"}, [] { ::setenv("TMPDIR", "tmp", 1); });
   EXPECT_EQ(ending.status, 0) << ending.said;
@@ -66,7 +66,7 @@ TEST_F(RelativePaths, AnEmptyOneIsNoneAndAWrongOneIsNamed) {
 }
 
 // The loader reads them once, when the program starts.
-TEST_F(RelativePaths, SoAreThoseOfTheLoader) {
+TEST_F(LongRelativePaths, SoAreThoseOfTheLoader) {
   fs::create_directories(folder / "dep");
   fs::copy_file(built("tests/plugins/libhelper.so"), folder / "dep/libhelper.so");
   fs::copy_file(built("tests/plugins/asks_a_helper.so"), folder / "model.so");

@@ -148,7 +148,7 @@ TEST(LongProcessorTime, OfTheCasesOfAStudyIsNoFinding) {
 }
 
 /// The warden of a worker is no process that the model has left.
-TEST(DeathInAWorker, LeavesNothingBehind) {
+TEST(LongDeathInAWorker, LeavesNothingBehind) {
   for (const char* deed : {"update abort", "update null", "update _exit"}) {
     const Misdeeds the;
     std::vector<std::string> words = the.run_words(the.library);
@@ -175,7 +175,7 @@ TEST(OpenFiles, OfWhichThereAreTooFewAreNoPass) {
 }
 
 /// Whoever has so few could not clear away what is staged.
-TEST(OpenFiles, OfWhichThereAreTooFewAreNoRun) {
+TEST(LongOpenFiles, OfWhichThereAreTooFewAreNoRun) {
   for (const rlim_t most : {7, 16}) {
     const ScratchFolder scratch;
     const std::string scene = tree_folder() + "/configs/paper/vortex_cpdi.yaml";

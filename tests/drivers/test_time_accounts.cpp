@@ -44,7 +44,7 @@ void expect_whole(const Accounts& all, const std::string& what) {
       << what << ": " << all.setup << ", " << all.work << ", " << all.finish << " of " << all.life;
 }
 
-TEST(TimeAccounts, ARunIsNamedAsAWhole) {
+TEST(LongTimeAccounts, ARunIsNamedAsAWhole) {
   const Accounts drawn = accounts_of_run({"grid.spacing=0.0625", "time.end=0.02", "output.particles=2"});
   expect_whole(drawn, "pictures");
   EXPECT_GT(drawn.setup, 0);
@@ -64,7 +64,7 @@ TEST(TimeAccounts, OfARunThatComesToNoStepAllIsSetUp) {
   EXPECT_GT(refused.setup, 0);
 }
 
-TEST(TimeAccounts, ATabulationIsNamedAsAWhole) {
+TEST(LongTimeAccounts, ATabulationIsNamedAsAWhole) {
   const ScratchFolder scratch;
   TabulateOptions options;
   options.scene = tree_folder() + "/configs/paper/tabulate_neo_hookean.yaml";

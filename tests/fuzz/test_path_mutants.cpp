@@ -29,7 +29,7 @@ const std::string kept = built("mutants/");
 const Bounds bounds = sanitized() ? Bounds{.cpu_s = 200} : Bounds{.cpu_s = 20, .address_bytes = std::int64_t{2} << 30};
 const Promise promise = sanitized() ? Promise{.cpu_s = 150, .resident_bytes = std::int64_t{1536} << 20}
                                     : Promise{.cpu_s = 15, .resident_bytes = std::int64_t{256} << 20};
-constexpr int every_day = 60, every_day_watched = 20;
+constexpr int every_day = 24, every_day_watched = 12;
 
 const Mutants& mutants() {
   static const Mutants all(

@@ -54,7 +54,7 @@ TEST(Completions, OfferEveryVerb) {
   for (const char* option : {"--help", "--version", "--quiet", "--verbose"}) EXPECT_TRUE(has(found, option)) << option;
 }
 
-TEST(Completions, OfferEveryOptionOfAVerbAndNoOther) {
+TEST(LongCompletions, OfferEveryOptionOfAVerbAndNoOther) {
   const std::regex option(R"(\n  (?:-[a-z],)?(--?[a-z-]+))");
   for (const std::string& verb : verbs()) {
     const std::string help = run_assay(verb + " --help").output;
@@ -64,7 +64,7 @@ TEST(Completions, OfferEveryOptionOfAVerbAndNoOther) {
   }
 }
 
-TEST(Completions, OfferFilesForFiles) {
+TEST(LongCompletions, OfferFilesForFiles) {
   const std::regex valued(R"(\n  (--?[a-z-]+) ([A-Z][^ ]*))");
   int files = 0;
   for (const std::string& verb : verbs()) {

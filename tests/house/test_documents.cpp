@@ -70,7 +70,7 @@ TEST(Documents, ManPageKnowsEveryVerb) {
   for (const std::string& verb : known) EXPECT_TRUE(has_word(man, ".SS assay " + verb)) << verb;
 }
 
-TEST(Documents, ManPageKnowsEveryOption) {
+TEST(LongDocuments, ManPageKnowsEveryOption) {
   const std::string help = all_help(), man = man_page();
   const std::regex option("--[a-z][a-z-]+");
   int seen = 0;
@@ -81,7 +81,7 @@ TEST(Documents, ManPageKnowsEveryOption) {
 }
 
 // Nor does it promise options that the program does not have.
-TEST(Documents, ManPagePromisesNothingMore) {
+TEST(LongDocuments, ManPagePromisesNothingMore) {
   const std::string help = all_help(), man = man_page();
   const std::regex option("--[a-z][a-z-]+");
   for (std::sregex_iterator it(man.begin(), man.end(), option), end; it != end; ++it) {

@@ -38,14 +38,14 @@ void expect_same_bits_again(const std::string& scene, const std::string& more = 
   EXPECT_EQ(first, errors_of_run(scene, 2, more));
 }
 
-TEST(Threads, CpdiRunsTwiceToTheSameBits) { expect_same_bits_again("configs/paper/vortex_cpdi.yaml"); }
+TEST(LongThreads, CpdiRunsTwiceToTheSameBits) { expect_same_bits_again("configs/paper/vortex_cpdi.yaml"); }
 
 // Several tiles of particles: each thread adds to a copy of the grid.
-TEST(Threads, ManyTilesRunTwiceToTheSameBits) {
+TEST(LongThreads, ManyTilesRunTwiceToTheSameBits) {
   expect_same_bits_again("configs/paper/vortex_cpdi.yaml", " --set grid.spacing=0.025 --set time.end=0.01");
 }
 
-TEST(Threads, UgimpRunsTwiceToTheSameBits) { expect_same_bits_again("configs/paper/vortex_ugimp.yaml"); }
+TEST(LongThreads, UgimpRunsTwiceToTheSameBits) { expect_same_bits_again("configs/paper/vortex_ugimp.yaml"); }
 
 }  // namespace
 }  // namespace assay::test_threads

@@ -100,7 +100,7 @@ TEST(Space, TheMomentOfTheForceIsBookedAboutAllThreeAxes) {
 }
 
 // In a layer of cells with the next one on each side nothing of the third dimension is left.
-TEST(Space, ALayerIsPlaneStrain) {
+TEST(LongSpace, ALayerIsPlaneStrain) {
   for (const bool total : {true, false}) {
     Method method = total ? total_spline() : corners();
     const mpm::Setup<2> plane = vortex_setup(8, method);
@@ -177,7 +177,7 @@ double error_of_loaded_cube(const Method& method, int across, TractionForm form)
   return displacement_error(simulation.state(), 1);
 }
 
-TEST(Space, TractionsOnAllFacesOfACubeHoldToRounding) {
+TEST(LongSpace, TractionsOnAllFacesOfACubeHoldToRounding) {
   Method method;
   method.basis = Basis::cpdi2, method.transfer = Transfer::apic;
   for (const int across : {2, 4}) EXPECT_LT(error_of_loaded_cube(method, across, TractionForm::reference), 1e-12);

@@ -56,7 +56,7 @@ void forget_limits() {
   }
 }
 
-TEST(Forked, AHangEndsEvenWhereTheModelHasWrittenOverTheLimits) {
+TEST(LongForked, AHangEndsEvenWhereTheModelHasWrittenOverTheLimits) {
   const auto hang = []() -> std::string {
     forget_limits();
     for (;;) ::pause();

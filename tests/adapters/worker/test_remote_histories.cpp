@@ -48,6 +48,7 @@ class RemoteHistories : public testing::Test {
     return Material(foreign_table(model), {});
   }
 };
+using LongRemoteHistories = RemoteHistories;
 
 TEST_F(RemoteHistories, AreTheBitsOfHistoriesHereAndTakeOneHandOverEach) {
   const Material there = apart(j2()), model = here();
@@ -173,7 +174,7 @@ TEST_F(RemoteHistories, TellOfOverruns) {
 }
 
 /// The limit of time is that of a call: 10 ms each here, and many of them.
-TEST_F(RemoteHistories, MayTakeLongerThanACall) {
+TEST_F(LongRemoteHistories, MayTakeLongerThanACall) {
   constexpr double limit_s = 1;
   const Material material = apart(misbehaving(30), limit_s);
   const Stopwatch watch;

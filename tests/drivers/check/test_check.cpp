@@ -57,7 +57,7 @@ TEST(Check, PassesABuiltInModelAndSaysItInJsonAndJUnit) {
   EXPECT_EQ(xml.find("<failure"), std::string::npos);
 }
 
-TEST(Check, TakesSceneDescriptionAndLibrary) {
+TEST(LongCheck, TakesSceneDescriptionAndLibrary) {
   const ScratchFolder scratch;
   EXPECT_EQ(checked({tree_folder() + "/configs/paper/vortex_cpdi.yaml", "--quick"}), 0);
   const std::string description = scratch.write("clay.yaml", "library: " + plugins + "frozen_1_0.so\n");
@@ -94,14 +94,14 @@ void expect_junit(const std::string& file) {
 }
 
 /// The battery stands in another folder; the vortex, which comes last, asks for the material again.
-TEST(Check, ARelativePathIsThatOfWhoAsks) {
+TEST(LongCheck, ARelativePathIsThatOfWhoAsks) {
   const ScratchFolder scratch;
   const Ending ending = assay({"check", "./libneo_hookean.so", "--parameters", "E=1e3", "-o", scratch / "check"},
                               [] { [[maybe_unused]] const int moved = ::chdir(built("materials").c_str()); });
   EXPECT_EQ(ending.status, 0) << ending.said;
 }
 
-TEST(Check, JUnitIsValid) {
+TEST(LongCheck, JUnitIsValid) {
   const ScratchFolder scratch;
   const std::string good = scratch / "good.xml", bad = scratch / "bad.xml", all = scratch / "all.xml";
   EXPECT_EQ(checked({"neo_hookean", "--parameters", "E=1e3", "--quick", "--junit", good}), 0);
@@ -130,7 +130,7 @@ TEST(LongCheck, AllChecksWhatIsRegisteredAndWhatCannotBeChecked) {
   EXPECT_NE(said.find("neo_hookean               error"), std::string::npos) << said;
 }
 
-TEST(Check, AFailureLeavesAReplayThatFailsAgain) {
+TEST(LongCheck, AFailureLeavesAReplayThatFailsAgain) {
   const ScratchFolder scratch;
   const std::string json = scratch / "check.json", replays = scratch / "replays";
   EXPECT_EQ(checked({broken_model, "--quick", "--strain", "0.1", "--step", "0.5", "--json", json, "-o", replays}), 1);
@@ -159,7 +159,7 @@ TEST(Check, AFailureLeavesAReplayThatFailsAgain) {
   EXPECT_EQ(checked({"--replay", cured}), 0);
 }
 
-TEST(Check, AModelThatEndsTheProcessIsAFinding) {
+TEST(LongCheck, AModelThatEndsTheProcessIsAFinding) {
   const ScratchFolder scratch;
   for (const char* how : {"exits", "crashes"}) {
     const std::string json = scratch / (std::string(how) + ".json");
@@ -173,7 +173,7 @@ TEST(Check, AModelThatEndsTheProcessIsAFinding) {
 }
 
 #if defined(__x86_64__)
-TEST(Check, AModelThatDiesOfArraysThatAreNotAlignedIsToldSo) {
+TEST(LongCheck, AModelThatDiesOfArraysThatAreNotAlignedIsToldSo) {
   const ScratchFolder scratch;
   for (const char* model : {"loads", "stores"}) {
     const std::string json = scratch / (std::string(model) + ".json");
@@ -244,7 +244,7 @@ TEST(Check, ALittlePrintIsARemarkAndThatOfForeignModelsIsTheirs) {
   EXPECT_EQ(foreign.report.tests[0].sentence, "as it was");
 }
 
-TEST(Check, AnUnwritablePlaceCostsNoVerdict) {
+TEST(LongCheck, AnUnwritablePlaceCostsNoVerdict) {
   for (const std::vector<std::string>& place :
        std::vector<std::vector<std::string>>{{"-o", "/proc/x"}, {"--json", "/proc/x"}, {"--junit", "/proc/x"}}) {
     std::vector<std::string> words{broken_model, "--quick", "-o", "/proc/y"};
@@ -269,7 +269,7 @@ TEST(Check, ReplayFilesAreOfTheLastCheck) {
   EXPECT_TRUE(std::filesystem::exists(other));
 }
 
-TEST(Check, RefusesBadInputInOneLine) {
+TEST(LongCheck, RefusesBadInputInOneLine) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{plugins + "anisotropic.so"}, "modulus"},
       {{"neo_hookeen"}, "neo_hookean"},

@@ -87,7 +87,7 @@ TEST(LongCheckComponents, PlaneStressIsJudgedInItsPlane) {
 }
 
 /// Both shears of the plane are doubled, and the transpose of F is taken.
-TEST(CheckComponents, WhatIsWrongInPlaneStressIsNamed) {
+TEST(LongCheckComponents, WhatIsWrongInPlaneStressIsNamed) {
   if (!has_foreign("umat_plane_stress")) GTEST_SKIP() << "no Fortran compiler";
   const auto cause = [](int law, const std::string& more) {
     return ForeignCheck("umat_plane_stress", "interface: umat\ncomponents: [3]\nproperties: {E: 1.0e3, nu: 0.3, law: " +

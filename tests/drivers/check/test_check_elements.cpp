@@ -14,7 +14,7 @@ std::string keeping_p(const std::string& keys, const std::string& words = "KEEPS
          words + "\n" + keys;
 }
 
-TEST(CheckElements, AStateThatIsKeptByElementIsCalledThat) {
+TEST(LongCheckElements, AStateThatIsKeptByElementIsCalledThat) {
   if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
   const ForeignCheck check("umat_kinematic", keeping_p(""));
   EXPECT_EQ(check.status, 1) << check.said;

@@ -20,7 +20,7 @@ TEST(CheckEnergies, ShearsCountAsExtensionsDo) {
   EXPECT_EQ(right.verdict_of("energy"), "pass") << right.said;
 }
 
-TEST(CheckEnergies, ShearsThatCountOnceAreNamedInFlowAndBefore) {
+TEST(LongCheckEnergies, ShearsThatCountOnceAreNamedInFlowAndBefore) {
   if (!has_foreign("vumat_j2")) GTEST_SKIP() << "no Fortran compiler";
   for (const char* yield : {"10", "1e9"}) {
     const ForeignCheck once("vumat_j2", j2("ONCE", yield));

@@ -33,7 +33,7 @@ std::string neo_hookean_in_plane(const ScratchFolder& scratch) {
                    "density: 1000\n");
 }
 
-TEST(CheckForeign, AModelOfPlaneStrainAloneIsTurnedAndStrainedInItsPlane) {
+TEST(LongCheckForeign, AModelOfPlaneStrainAloneIsTurnedAndStrainedInItsPlane) {
   if (!built("umat_neo_hookean")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
   const std::string model = neo_hookean_in_plane(scratch);
@@ -55,7 +55,7 @@ TEST(LongCheckForeign, AModelOfPlaneStrainAloneRunsTheVortex) {
   EXPECT_EQ(ending.status, 0) << ending.said;
 }
 
-TEST(CheckForeign, WhatIsWrongInThePlaneIsNamed) {
+TEST(LongCheckForeign, WhatIsWrongInThePlaneIsNamed) {
   if (!built("umat_j2")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
   for (const bool right : {true, false}) {

@@ -113,7 +113,7 @@ TEST_F(Host, ACounterThatTheStateKeepsIsARemark) {
   EXPECT_NE(check.sentence_of(host_test).find("the state keeps KINC"), std::string::npos) << check.said;
 }
 
-TEST_F(Host, ATableByElementIsOneAndAKeyChoosesItsLine) {
+TEST_F(LongHost, ATableByElementIsOneAndAKeyChoosesItsLine) {
   const ForeignCheck check("umat_kinematic", kinematic("BY_TABLE"));
   EXPECT_EQ(check.status, 0) << check.said;
   EXPECT_EQ(check.dependence_on("NOEL").substr(0, 20), "a table by element: ") << check.said;

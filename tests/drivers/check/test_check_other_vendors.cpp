@@ -56,7 +56,7 @@ TEST(CheckOtherVendors, AModelOfFIsToldToDeclareIt) {
       << check.sentence();
 }
 
-TEST(CheckOtherVendors, ATangentOfAnotherConventionIsNamed) {
+TEST(LongCheckOtherVendors, ATangentOfAnotherConventionIsNamed) {
   if (!has_foreign("usermat_j2")) GTEST_SKIP() << "no Fortran compiler";
   for (const char* axes : {"", "components: [4]\n"}) {
     const ForeignCheck truesdell("usermat_j2", keys_of("usermat", 7, axes));

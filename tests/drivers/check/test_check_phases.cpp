@@ -71,7 +71,7 @@ const auto name_of_check_phases = [](const auto& instance) {
 INSTANTIATE_TEST_SUITE_P(Ends, CheckPhases, testing::ValuesIn(cases_of_check_phases.some), name_of_check_phases);
 INSTANTIATE_TEST_SUITE_P(LongEnds, CheckPhases, testing::ValuesIn(cases_of_check_phases.others), name_of_check_phases);
 
-TEST(CheckPhase, OfAModelThatCannotBeMadeIsNamed) {
+TEST(LongCheckPhase, OfAModelThatCannotBeMadeIsNamed) {
   for (const char* deed : {"create abort", "create _exit", "create pause"}) {
     const Checked checked(deed);
     EXPECT_EQ(checked.ending.status, 1) << checked.ending.said;

@@ -51,7 +51,7 @@ using LongCheckScope = CheckScope;
 constexpr const char* missing = "      IF (MAXVAL(ABS(STRESS)).GT.PROPS(3)) CALL PLRET(STRESS)\n";
 constexpr const char* refusing = "      IF (MAXVAL(ABS(STRESS)).GT.PROPS(3)) PNEWDT=0.25D0\n";
 
-TEST_F(CheckScope, ARoutineThatIsMissingFailsByName) {
+TEST_F(LongCheckScope, ARoutineThatIsMissingFailsByName) {
   for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--strain", "0.05"}}) {
     const Ending ending = check(missing, more);
     EXPECT_EQ(ending.status, 1) << ending.said;
@@ -60,7 +60,7 @@ TEST_F(CheckScope, ARoutineThatIsMissingFailsByName) {
   }
 }
 
-TEST_F(CheckScope, AModelThatRefusesEveryPlasticStepDoesNotPassInSilence) {
+TEST_F(LongCheckScope, AModelThatRefusesEveryPlasticStepDoesNotPassInSilence) {
   const Ending usual = check(refusing);
   EXPECT_EQ(usual.status, 0) << usual.said;
   EXPECT_TRUE(says(usual, "(it refuses them)")) << usual.said;
@@ -79,7 +79,7 @@ TEST_F(LongCheckScope, AStressThatNobodyMakesIsNone) {
   }
 }
 
-TEST_F(CheckScope, AStrainOfItsOwnIsNoSmallStrainLaw) {
+TEST_F(LongCheckScope, AStrainOfItsOwnIsNoSmallStrainLaw) {
   const Ending ending = check("      STRESS(1:3)=STRESS(1:3)-0.1D0*DTIME*(3*ALAM+2*AMU)\n");
   EXPECT_EQ(ending.status, 1) << ending.said;
   EXPECT_TRUE(says(ending, "diagnosis: strain of its own in time")) << ending.said;

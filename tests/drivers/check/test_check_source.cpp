@@ -191,7 +191,7 @@ TEST_F(CheckSource, CardNumbersAreReadAsAbaqusDoesAndTold) {
   EXPECT_TRUE(says(ending, "cut -c1-72 card.f > card_72.f")) << ending.said;
 }
 
-TEST_F(CheckSource, ADeckIsEnough) {
+TEST_F(LongCheckSource, ADeckIsEnough) {
   scratch.write("job.f", hooke_umat);
   scratch.write("job.inp", "*Material, name=Steel\n*Density\n7850.\n*User Material, constants=2\n1.e3, .3\n");
   for (const std::vector<std::string>& words :
@@ -275,7 +275,7 @@ TEST_F(LongCheckSource, IsRegisteredAndThenUsed) {
   EXPECT_TRUE(says(listed, "mine: broken")) << listed.said;
 }
 
-TEST_F(CheckSource, TwoEntriesAreAChoice) {
+TEST_F(LongCheckSource, TwoEntriesAreAChoice) {
   scratch.write("two.f", fixed_umat(hooke_statements, "MYLAW") + fixed_umat(hooke_statements, "UMAT_B"));
   const Ending refused = run({"check", "two.f", "--props", "1e3,.3"});
   EXPECT_EQ(refused.status, 2);
@@ -367,7 +367,7 @@ TEST_F(CheckSource, AFileThatIsMadeEmptyIsNamedToo) {
 }
 
 // GETOUTDIR leads to the source, wherever its library is kept.
-TEST_F(CheckSource, TheOutputFolderIsThatOfTheSource) {
+TEST_F(LongCheckSource, TheOutputFolderIsThatOfTheSource) {
   std::string statements = hooke_statements;
   const std::string line = "      EMOD=PROPS(1)\n";
   statements.replace(statements.find(line), line.size(),

@@ -19,6 +19,7 @@ class StateBlocks : public testing::Test {
     if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
   }
 };
+using LongStateBlocks = StateBlocks;
 
 TEST_F(StateBlocks, AnUnturnedTensorThatNobodyHasDeclaredIsFound) {
   const ForeignCheck check("umat_kinematic", kinematic("UNTURNED", "7"));
@@ -44,7 +45,7 @@ TEST_F(StateBlocks, TwoOfThemAreToldFromEachOther) {
       << check.sentence();
 }
 
-TEST_F(StateBlocks, AVectorKeepsItsFirstValue) {
+TEST_F(LongStateBlocks, AVectorKeepsItsFirstValue) {
   const std::string known = "{b: symmetric_tensor, p: scalar, ", keys = "symmetry: anisotropic\n", elastic = "1.0e3";
   const std::string counted = known + "a1: {initial: 1}, a2: {initial: 0}, a3: {initial: 0}}";
   const ForeignCheck check("umat_kinematic", keys + kinematic("FIBRE UNTURNED", counted, elastic));
@@ -55,7 +56,7 @@ TEST_F(StateBlocks, AVectorKeepsItsFirstValue) {
   EXPECT_EQ(right.status, 0) << right.said;
 }
 
-TEST_F(StateBlocks, ThoseThatTurnAreNoDefectUndeclared) {
+TEST_F(LongStateBlocks, ThoseThatTurnAreNoDefectUndeclared) {
   for (const char* words : {"ASSAY", "P_FIRST"}) {
     const ForeignCheck check("umat_kinematic", kinematic(words, "7"));
     EXPECT_EQ(check.status, 0) << check.said;

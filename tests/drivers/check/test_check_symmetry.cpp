@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(LongUmats, CheckSymmetry, testing::ValuesIn(cases_of_ch
                          name_of_check_symmetry);
 
 /// The vortex is for what is isotropic about the ring's axis.
-TEST(CheckSymmetryOfRings, ABundleAlongTheAxisServesAVortexAndAnInclinedOneDoesNot) {
+TEST(LongCheckSymmetryOfRings, ABundleAlongTheAxisServesAVortexAndAnInclinedOneDoesNot) {
   const std::string library = built("tests/foreign/umat_crystal_green.so");
   if (!std::filesystem::exists(library)) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;

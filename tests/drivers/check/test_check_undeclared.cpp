@@ -59,7 +59,7 @@ const std::string relaxing_statements = hooke_statements +
                                         "        END DO\n"
                                         "      END DO\n";
 
-TEST_F(CheckUndeclared, DependenceOnTheRateIsTriedAndTold) {
+TEST_F(LongCheckUndeclared, DependenceOnTheRateIsTriedAndTold) {
   scratch.write("model.f", fixed_umat(relaxing_statements));
   const Found found = check("model.f", {"--props", "210e3,.3,.5"});
   EXPECT_EQ(found.status, 0) << found.said;
@@ -68,7 +68,7 @@ TEST_F(CheckUndeclared, DependenceOnTheRateIsTriedAndTold) {
   EXPECT_EQ(found.json["depends_on"][0]["on"], "the rate");
 }
 
-TEST_F(CheckUndeclared, WhoHasDeclaredFlagsIsTakenAtHisWord) {
+TEST_F(LongCheckUndeclared, WhoHasDeclaredFlagsIsTakenAtHisWord) {
   scratch.write("model.f", fixed_umat(relaxing_statements));
   scratch.write("said.yaml", "source: model.f\ninterface: umat\nproperties: [210e3, 0.3, 0.5]\nflags: []\n");
   const Found found = check("said.yaml");
@@ -82,7 +82,7 @@ TEST_F(CheckUndeclared, WhoHasDeclaredFlagsIsTakenAtHisWord) {
 }
 
 /// DTIME is a clock of its own here: no law of the rate.
-TEST_F(CheckUndeclared, AnotherUseOfTheClockStaysADefect) {
+TEST_F(LongCheckUndeclared, AnotherUseOfTheClockStaysADefect) {
   scratch.write("model.f", fixed_umat(hooke_statements + "      STRESS(1)=STRESS(1)+1.D-3*PROPS(1)*DTIME\n"));
   const Found found = check("model.f", {"--props", "210e3,.3"});
   EXPECT_EQ(found.status, 1) << found.said;

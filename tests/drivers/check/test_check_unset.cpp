@@ -9,6 +9,7 @@
 #include "tests/drivers/foreign_checks.hpp"
 #include "tests/drivers/process.hpp"
 #include "tests/support/built.hpp"
+#include "tests/support/some_of.hpp"
 
 namespace assay::drivers::test_check_unset {
 namespace {
@@ -79,104 +80,106 @@ TEST_P(UnsetMemory, IsHiddenStateAndTheSameSetBeforePasses) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, UnsetMemory,
-                         testing::Values(Unset{"tangent", "      DDSDDE=0.D0\n",
-                                               "      C=0.D0\n"
-                                               "      C(1:3,1:3)=BULK-2.D0*G/3.D0\n"
-                                               "      DO I=1,3\n"
-                                               "        C(I,I)=C(I,I)+2.D0*G\n"
-                                               "        C(I+3,I+3)=G\n"
-                                               "      END DO\n"
-                                               "      DDSDDE=DDSDDE+C\n"
-                                               "      STRESS=STRESS+MATMUL(C,DSTRAN)\n"},
-                                         Unset{"moduli", "      DDSDDE=0.D0\n",
-                                               "      DDSDDE(1:3,1:3)=DDSDDE(1:3,1:3)+BULK-2.D0*G/3.D0\n"
-                                               "      DO I=1,3\n"
-                                               "        DDSDDE(I,I)=DDSDDE(I,I)+2.D0*G\n"
-                                               "        DDSDDE(I+3,I+3)=DDSDDE(I+3,I+3)+G\n"
-                                               "      END DO\n"
-                                               "      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n"},
-                                         Unset{"local_matrix", "      C=0.D0\n",
-                                               "      C(1:3,1:3)=BULK-2.D0*G/3.D0\n"
-                                               "      DO I=1,3\n"
-                                               "        C(I,I)=C(I,I)+2.D0*G\n"
-                                               "        C(I+3,I+3)=G\n"
-                                               "      END DO\n"
-                                               "      DDSDDE=C\n"
-                                               "      STRESS=STRESS+MATMUL(C,DSTRAN)\n"},
-                                         Unset{"local_row", "      C=0.D0\n",
-                                               "      C(1,1:3)=BULK-2.D0*G/3.D0\n"
-                                               "      C(1,1)=C(1,1)+2.D0*G\n"
-                                               "      DO I=2,3\n"
-                                               "        C(I,1:3)=C(1,2)\n"
-                                               "        C(I,I)=C(1,1)\n"
-                                               "      END DO\n"
-                                               "      DO I=4,6\n"
-                                               "        C(I,I)=G\n"
-                                               "      END DO\n"
-                                               "      DDSDDE=C\n"
-                                               "      STRESS=STRESS+MATMUL(C,DSTRAN)\n"},
-                                         Unset{"local_divisor", "      C=1.D0\n",
-                                               "      DDSDDE=0.D0\n"
-                                               "      DDSDDE(1:3,1:3)=BULK-2.D0*G/3.D0\n"
-                                               "      DO I=1,3\n"
-                                               "        DDSDDE(I,I)=DDSDDE(I,I)+2.D0*G\n"
-                                               "        DDSDDE(I+3,I+3)=G\n"
-                                               "      END DO\n"
-                                               "      DO I=1,NTENS\n"
-                                               "        S=0.D0\n"
-                                               "        DO J=1,NTENS\n"
-                                               "          S=S+DDSDDE(I,J)*DSTRAN(J)\n"
-                                               "        END DO\n"
-                                               "        STRESS(I)=STRESS(I)+S/C(I,I)\n"
-                                               "      END DO\n"},
-                                         Unset{"local_flag", "      STIFF=.FALSE.\n",
-                                               "      DDSDDE=0.D0\n"
-                                               "      DDSDDE(1:3,1:3)=BULK-2.D0*G/3.D0\n"
-                                               "      DO I=1,3\n"
-                                               "        DDSDDE(I,I)=DDSDDE(I,I)+2.D0*G\n"
-                                               "        DDSDDE(I+3,I+3)=G\n"
-                                               "      END DO\n"
-                                               "      DO I=1,NTENS\n"
-                                               "        IF (STRAN(I).GT.1.D3) STIFF(I)=.TRUE.\n"
-                                               "      END DO\n"
-                                               "      DO I=1,NTENS\n"
-                                               "        FACTOR=1.D0\n"
-                                               "        IF (STIFF(I)) FACTOR=2.D0\n"
-                                               "        DO J=1,NTENS\n"
-                                               "          STRESS(I)=STRESS(I)+FACTOR*DDSDDE(I,J)*DSTRAN(J)\n"
-                                               "        END DO\n"
-                                               "      END DO\n"},
-                                         Unset{"local_element_beyond", "      E=0.D0\n",
-                                               "      DDSDDE=0.D0\n"
-                                               "      DDSDDE(1:3,1:3)=BULK-2.D0*G/3.D0\n"
-                                               "      DO I=1,3\n"
-                                               "        DDSDDE(I,I)=DDSDDE(I,I)+2.D0*G\n"
-                                               "        DDSDDE(I+3,I+3)=G\n"
-                                               "      END DO\n"
-                                               "      DO I=1,NDI\n"
-                                               "        E(I)=DSTRAN(I)\n"
-                                               "      END DO\n"
-                                               "      TRACE=0.D0\n"
-                                               "      DO I=1,NDI+1\n"
-                                               "        TRACE=TRACE+E(I)\n"
-                                               "      END DO\n"
-                                               "      DO I=1,NDI\n"
-                                               "        STRESS(I)=STRESS(I)+(BULK-2.D0*G/3.D0)*TRACE\n"
-                                               "     1   +2.D0*G*DSTRAN(I)\n"
-                                               "      END DO\n"
-                                               "      DO I=NDI+1,NTENS\n"
-                                               "        STRESS(I)=STRESS(I)+G*DSTRAN(I)\n"
-                                               "      END DO\n"},
-                                         Unset{"heap_matrix", "      A=0.D0\n",
-                                               "      A(1:3,1:3)=BULK-2.D0*G/3.D0\n"
-                                               "      DO I=1,3\n"
-                                               "        A(I,I)=A(I,I)+2.D0*G\n"
-                                               "        A(I+3,I+3)=G\n"
-                                               "      END DO\n"
-                                               "      DDSDDE=A\n"
-                                               "      STRESS=STRESS+MATMUL(A,DSTRAN)\n"}),
-                         [](const auto& instance) { return std::string(instance.param.name); });
+const auto cases_of_unset_memory = one_of_each<UnsetMemory::ParamType>(
+    4, testing::Values(Unset{"tangent", "      DDSDDE=0.D0\n",
+                             "      C=0.D0\n"
+                             "      C(1:3,1:3)=BULK-2.D0*G/3.D0\n"
+                             "      DO I=1,3\n"
+                             "        C(I,I)=C(I,I)+2.D0*G\n"
+                             "        C(I+3,I+3)=G\n"
+                             "      END DO\n"
+                             "      DDSDDE=DDSDDE+C\n"
+                             "      STRESS=STRESS+MATMUL(C,DSTRAN)\n"},
+                       Unset{"moduli", "      DDSDDE=0.D0\n",
+                             "      DDSDDE(1:3,1:3)=DDSDDE(1:3,1:3)+BULK-2.D0*G/3.D0\n"
+                             "      DO I=1,3\n"
+                             "        DDSDDE(I,I)=DDSDDE(I,I)+2.D0*G\n"
+                             "        DDSDDE(I+3,I+3)=DDSDDE(I+3,I+3)+G\n"
+                             "      END DO\n"
+                             "      STRESS=STRESS+MATMUL(DDSDDE,DSTRAN)\n"},
+                       Unset{"local_matrix", "      C=0.D0\n",
+                             "      C(1:3,1:3)=BULK-2.D0*G/3.D0\n"
+                             "      DO I=1,3\n"
+                             "        C(I,I)=C(I,I)+2.D0*G\n"
+                             "        C(I+3,I+3)=G\n"
+                             "      END DO\n"
+                             "      DDSDDE=C\n"
+                             "      STRESS=STRESS+MATMUL(C,DSTRAN)\n"},
+                       Unset{"local_row", "      C=0.D0\n",
+                             "      C(1,1:3)=BULK-2.D0*G/3.D0\n"
+                             "      C(1,1)=C(1,1)+2.D0*G\n"
+                             "      DO I=2,3\n"
+                             "        C(I,1:3)=C(1,2)\n"
+                             "        C(I,I)=C(1,1)\n"
+                             "      END DO\n"
+                             "      DO I=4,6\n"
+                             "        C(I,I)=G\n"
+                             "      END DO\n"
+                             "      DDSDDE=C\n"
+                             "      STRESS=STRESS+MATMUL(C,DSTRAN)\n"},
+                       Unset{"local_divisor", "      C=1.D0\n",
+                             "      DDSDDE=0.D0\n"
+                             "      DDSDDE(1:3,1:3)=BULK-2.D0*G/3.D0\n"
+                             "      DO I=1,3\n"
+                             "        DDSDDE(I,I)=DDSDDE(I,I)+2.D0*G\n"
+                             "        DDSDDE(I+3,I+3)=G\n"
+                             "      END DO\n"
+                             "      DO I=1,NTENS\n"
+                             "        S=0.D0\n"
+                             "        DO J=1,NTENS\n"
+                             "          S=S+DDSDDE(I,J)*DSTRAN(J)\n"
+                             "        END DO\n"
+                             "        STRESS(I)=STRESS(I)+S/C(I,I)\n"
+                             "      END DO\n"},
+                       Unset{"local_flag", "      STIFF=.FALSE.\n",
+                             "      DDSDDE=0.D0\n"
+                             "      DDSDDE(1:3,1:3)=BULK-2.D0*G/3.D0\n"
+                             "      DO I=1,3\n"
+                             "        DDSDDE(I,I)=DDSDDE(I,I)+2.D0*G\n"
+                             "        DDSDDE(I+3,I+3)=G\n"
+                             "      END DO\n"
+                             "      DO I=1,NTENS\n"
+                             "        IF (STRAN(I).GT.1.D3) STIFF(I)=.TRUE.\n"
+                             "      END DO\n"
+                             "      DO I=1,NTENS\n"
+                             "        FACTOR=1.D0\n"
+                             "        IF (STIFF(I)) FACTOR=2.D0\n"
+                             "        DO J=1,NTENS\n"
+                             "          STRESS(I)=STRESS(I)+FACTOR*DDSDDE(I,J)*DSTRAN(J)\n"
+                             "        END DO\n"
+                             "      END DO\n"},
+                       Unset{"local_element_beyond", "      E=0.D0\n",
+                             "      DDSDDE=0.D0\n"
+                             "      DDSDDE(1:3,1:3)=BULK-2.D0*G/3.D0\n"
+                             "      DO I=1,3\n"
+                             "        DDSDDE(I,I)=DDSDDE(I,I)+2.D0*G\n"
+                             "        DDSDDE(I+3,I+3)=G\n"
+                             "      END DO\n"
+                             "      DO I=1,NDI\n"
+                             "        E(I)=DSTRAN(I)\n"
+                             "      END DO\n"
+                             "      TRACE=0.D0\n"
+                             "      DO I=1,NDI+1\n"
+                             "        TRACE=TRACE+E(I)\n"
+                             "      END DO\n"
+                             "      DO I=1,NDI\n"
+                             "        STRESS(I)=STRESS(I)+(BULK-2.D0*G/3.D0)*TRACE\n"
+                             "     1   +2.D0*G*DSTRAN(I)\n"
+                             "      END DO\n"
+                             "      DO I=NDI+1,NTENS\n"
+                             "        STRESS(I)=STRESS(I)+G*DSTRAN(I)\n"
+                             "      END DO\n"},
+                       Unset{"heap_matrix", "      A=0.D0\n",
+                             "      A(1:3,1:3)=BULK-2.D0*G/3.D0\n"
+                             "      DO I=1,3\n"
+                             "        A(I,I)=A(I,I)+2.D0*G\n"
+                             "        A(I+3,I+3)=G\n"
+                             "      END DO\n"
+                             "      DDSDDE=A\n"
+                             "      STRESS=STRESS+MATMUL(A,DSTRAN)\n"}));
+const auto name_of_unset_memory = [](const auto& instance) { return std::string(instance.param.name); };
+INSTANTIATE_TEST_SUITE_P(Kinds, UnsetMemory, testing::ValuesIn(cases_of_unset_memory.some), name_of_unset_memory);
+INSTANTIATE_TEST_SUITE_P(LongKinds, UnsetMemory, testing::ValuesIn(cases_of_unset_memory.others), name_of_unset_memory);
 
 /// CI reads files, and not what is printed on the way: with the source, and with the description made of it.
 TEST(UnsetVariables, AreInTheFilesForCi) {

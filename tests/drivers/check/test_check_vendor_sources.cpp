@@ -95,7 +95,7 @@ TEST_F(LongCheckVendorSources, AUserMaterialOfLsdynaIsRecognisedAndHasDoublePrec
   }
 }
 
-TEST_F(CheckVendorSources, AnotherNumberOfArgumentsIsNamed) {
+TEST_F(LongCheckVendorSources, AnotherNumberOfArgumentsIsNamed) {
   int status = -1;
   const std::string file = scratch.write("model.f", umat_of_lsdyna("umat46", 14));
   const std::string text = said(status, {file, "--props", "210e3,.3", "--statev", "1"});
@@ -164,7 +164,7 @@ TEST_F(LongCheckVendorSources, ColumnsAreThoseOfAbaqusForItsSourcesAlone) {
   EXPECT_NE(of_abaqus.find("read at 132 columns as by Abaqus"), std::string::npos) << of_abaqus;
 }
 
-TEST_F(CheckVendorSources, OfSeveralOneIsChosen) {
+TEST_F(LongCheckVendorSources, OfSeveralOneIsChosen) {
   const std::string file = scratch.write("model.f", umat_of_lsdyna("umat41", 18) + umat_of_lsdyna("umat42", 16));
   int status = -1;
   const std::string both = said(status, {file, "--props", "210e3,.3", "--statev", "1"});

@@ -167,7 +167,7 @@ TEST(Replay, RefusesWhatIsNone) {
 }
 
 /// A description that finds its library by $ASSAY_MATERIAL_PATH, as in a test of ctest, is found again without it.
-TEST(Replay, KeepsTheFoldersOfLibraries) {
+TEST(LongReplay, KeepsTheFoldersOfLibraries) {
   if (!has_foreign("umat_kinematic")) GTEST_SKIP() << "no Fortran compiler";
   const ScratchFolder scratch;
   const std::string description = scratch.write(
@@ -188,7 +188,7 @@ TEST(Replay, KeepsTheFoldersOfLibraries) {
 }
 
 /// As one from a CI server, whose library lies elsewhere here.
-TEST(Replay, TakesAnotherMaterialInPlaceOfItsOwn) {
+TEST(LongReplay, TakesAnotherMaterialInPlaceOfItsOwn) {
   const ScratchFolder scratch;
   const std::string library = scratch / "moved.so";
   std::filesystem::copy(plugins + "fails_when_sheared.so", library);

@@ -44,7 +44,7 @@ bool profiles(const Around& around, const std::string& name) {
                      [&](const nlohmann::json& pass) { return pass["name"] == name; });
 }
 
-TEST(AroundTheSteps, WhatIsNotCalledForLeavesNoFile) {
+TEST(LongAroundTheSteps, WhatIsNotCalledForLeavesNoFile) {
   for (const auto& [effect, file] :
        {std::pair{"snapshots", ".vtu"}, std::pair{"pictures", ".png"}, std::pair{"report", ".html"}}) {
     EXPECT_FALSE(run_of(effect, false).files.contains(file)) << file;

@@ -153,7 +153,7 @@ TEST(Decks, HaveNumbersThatReadersTakeWhole) {
 Vector3 weight_at(const Vector3& X) { return X.squaredNorm() * Vector3(-X.y(), X.x(), 0); }
 
 /// The sum over the nodes of w . f is the integral of w . rho0 b_static of the interpolated w.
-TEST(Decks, HaveTheLoadsOfTheirSteps) {
+TEST(LongDecks, HaveTheLoadsOfTheirSteps) {
   const auto files = exported_files(export_options("abaqus", ".0625"));
   const std::string& steps = files.at("h_0.0625/steps.inp");
   std::size_t count = 0;

@@ -63,7 +63,7 @@ TEST(LongForceExpressions, OfKaramelo) {
     }
 }
 
-TEST(ForceExpressions, GiveTheVelocityAtTheBeginning) {
+TEST(LongForceExpressions, GiveTheVelocityAtTheBeginning) {
   const VortexForces vortex(smooth_vortex);
   const ForcePieces pieces = vortex.pieces();
   const std::vector<ForcePoint> points = points_in_ring(vortex);

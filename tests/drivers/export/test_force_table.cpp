@@ -14,6 +14,7 @@
 #include "harness/exact/places.hpp"
 #include "tests/drivers/export/exported.hpp"
 #include "tests/support/python.hpp"
+#include "tests/support/tree_folder.hpp"
 
 namespace assay::drivers::test_force_table {
 namespace {
@@ -150,12 +151,12 @@ class TableRoutines : public testing::Test {
   ForceTable table_;
   ScratchFolder scratch_;
 };
+using LongTableRoutines = TableRoutines;
 
 TEST_F(TableRoutines, InC) {
   if (tool_in_path("cc").empty()) GTEST_SKIP() << "no cc";
   scratch_.write("main.c", R"(#include <stdio.h>
 #include "force_table.h"
-#include "tests/support/tree_folder.hpp"
 int main(void) {
   const double times[] = {-0.5, 0, 0.01, 0.7, 1.49, 1.5, 2};
   double b[6];
@@ -203,7 +204,7 @@ end program
   expect_values();
 }
 
-TEST_F(TableRoutines, InPython) {
+TEST_F(LongTableRoutines, InPython) {
   const std::string python = python_with("numpy");
   if (python.empty()) GTEST_SKIP() << "no numpy";
   scratch_.write("main.py", R"(import numpy as np

@@ -86,7 +86,7 @@ TEST(ParticleCodes, DecksOfKarameloHaveCommandsThatItKnows) {
 }
 
 // The deck itself, with all of its commands, is what is evaluated.
-TEST(ParticleCodes, DecksOfKarameloHoldTheBodyForce) {
+TEST(LongParticleCodes, DecksOfKarameloHoldTheBodyForce) {
   const ExportOptions options = export_options("karamelo", ".3,.1");
   const VortexForces vortex(exported(options).scene_yaml);
   const ScratchFolder scratch;
@@ -135,7 +135,7 @@ TEST(ParticleCodes, JudgeReadsTheDumpsOfKaramelo) {
 /// Stands in for ExtractMPM: the archive is the text that it would write.
 const char* extract = "#!/bin/sh\nfor last; do :; done\ncat \"$last\"\n";
 
-TEST(ParticleCodes, JudgeReadsTheArchivesOfNairn) {
+TEST(LongParticleCodes, JudgeReadsTheArchivesOfNairn) {
   const ExportOptions options = export_options("nairn", ".3,.1");
   const ExportedProblem problem = exported(options);
   const ScratchFolder scratch;
@@ -169,7 +169,7 @@ open("functions", "w").write("\n".join(root.find(name).text for name in
     ("Gravity/GridBodyXForce", "Gravity/GridBodyYForce", "MaterialPoints/Body/vel0X", "MaterialPoints/Body/vel0Y")))
 )";
 
-TEST(ParticleCodes, DecksOfNairnHoldTheBodyForce) {
+TEST(LongParticleCodes, DecksOfNairnHoldTheBodyForce) {
   const ExportOptions options = export_options("nairn", ".3,.1");
   const VortexForces vortex(exported(options).scene_yaml);
   const ScratchFolder scratch;

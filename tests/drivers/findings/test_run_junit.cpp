@@ -48,7 +48,7 @@ void expect_in(const std::string& text, const std::vector<std::string>& parts) {
   for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
-TEST(RunJUnit, HoldsTheOutcomeAndEveryExpectation) {
+TEST(LongRunJUnit, HoldsTheOutcomeAndEveryExpectation) {
   const std::string text =
       junit_of(1, {"expect={outcome: completed, error.l2_max: {below: 1e-9}, t: {between: [0, 1]}, particles: 816}"});
   expect_in(
@@ -78,7 +78,7 @@ TEST(RunJUnit, WithoutExpectationsThereIsStillTheOutcome) {
   expect_in(junit_of(0, {}), {"tests=\"1\" failures=\"0\" errors=\"0\"", "name=\"outcome\""});
 }
 
-TEST(RunJUnit, ARunThatDiesSaysWhy) {
+TEST(LongRunJUnit, ARunThatDiesSaysWhy) {
   const std::vector<std::string> dies{"method.basis=ugimp", "grid.spacing=0.05", "time.end=1"};
   std::vector<std::string> sets = dies;
   sets.push_back("expect={error.l2_end: {below: 1}}");
@@ -141,6 +141,7 @@ class RunJUnitCommand : public testing::Test {
 
   ScratchFolder scratch_;
 };
+using LongRunJUnitCommand = RunJUnitCommand;
 
 TEST_F(RunJUnitCommand, GoesWithJsonAndQuiet) {
   const std::string file = scratch_ / "junit.xml";
@@ -200,7 +201,7 @@ TEST_F(RunJUnitCommand, AnEarlierFileIsGoneBeforeARunOrCheckBegins) {
 }
 
 /// A log of CI would otherwise hold an exit status alone.
-TEST_F(RunJUnitCommand, QuietSaysWhatIsNotAsExpectedAndNothingElse) {
+TEST_F(LongRunJUnitCommand, QuietSaysWhatIsNotAsExpectedAndNothingElse) {
   EXPECT_EQ(call({"--quiet"}).said, "");
   const Ending ending = call({"--quiet", "--set", "expect={error.l2_max: {below: 1.0e-9}}"});
   EXPECT_EQ(ending.status, 1);

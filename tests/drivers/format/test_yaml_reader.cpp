@@ -137,7 +137,7 @@ TEST(YamlReader, ATextInQuotesMayHaveSeveralLines) {
   EXPECT_EQ(read_yaml("t:\n- 'One\n  note: two'\n", "f").entries.at(0).value.items.at(0).text, "One note: two");
 }
 
-TEST(YamlReader, DepthIsGuardedBeforeTheParserRecurses) {
+TEST(LongYamlReader, DepthIsGuardedBeforeTheParserRecurses) {
   EXPECT_EQ(refused(std::string(64, '[') + std::string(64, ']')), "accepted");
   const std::string deep = "nested deeper than 64 levels";
   const auto cut = [&](const std::string& text) { return refused(text).ends_with(deep); };

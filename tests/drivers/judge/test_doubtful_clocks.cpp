@@ -67,7 +67,7 @@ TEST_F(LongJudgeClocks, AreNamedWhereNothingElseIsWrong) {
   }
 }
 
-TEST_F(JudgeClocks, AFrameThatIsWrittenTwiceIsNamed) {
+TEST_F(LongJudgeClocks, AFrameThatIsWrittenTwiceIsNamed) {
   Planted once_more;
   const double plain = judged({file(once_more)}).l2();
   for (std::size_t k = once_more.frames.size(); k-- > 1;) {

@@ -68,7 +68,7 @@ TEST_F(JudgeBeyondSight, ABodyBesideWhatMovesIsNotGood) {
   EXPECT_TRUE(found.run()["error"]["l2_max"].is_null()) << found.run()["error"];
 }
 
-TEST_F(JudgeBeyondSight, OfParticlesWithoutNamesALargeErrorIsNotMeasured) {
+TEST_F(LongJudgeBeyondSight, OfParticlesWithoutNamesALargeErrorIsNotMeasured) {
   const double beyond = 0.35 * Planted::spacing;  // no two of them fall on one
   const Verdict found = of(Planted(Planted().scene_file, beyond), {"x", "v"});
   EXPECT_EQ(found.status, 1);
@@ -78,7 +78,7 @@ TEST_F(JudgeBeyondSight, OfParticlesWithoutNamesALargeErrorIsNotMeasured) {
             std::string::npos);
 }
 
-TEST_F(JudgeBeyondSight, OfParticlesWithoutNamesASmallErrorIs) {
+TEST_F(LongJudgeBeyondSight, OfParticlesWithoutNamesASmallErrorIs) {
   const Verdict found = of(Planted(), {"x", "v"});
   EXPECT_EQ(found.status, 0) << found.json["verdict"];
   EXPECT_NEAR(found.l2(), of(Planted(), {"id", "X", "x", "v"}).l2(), 1e-9);
@@ -111,7 +111,7 @@ TEST_F(LongJudgeBeyondSight, AnotherSceneIsToldByItsVelocitiesAtTheStart) {
 }
 
 /// The motion is that of the scene whatever the material is, so u falls with the grid.
-TEST_F(JudgeBeyondSight, AStressOfAnotherMaterialIsNotGood) {
+TEST_F(LongJudgeBeyondSight, AStressOfAnotherMaterialIsNotGood) {
   std::string other = bytes_of(Planted().scene_file);
   const std::string from = "E: 1.0e+3";
   ASSERT_NE(other.find(from), std::string::npos) << other;
@@ -125,7 +125,7 @@ TEST_F(JudgeBeyondSight, AStressOfAnotherMaterialIsNotGood) {
   EXPECT_TRUE(says(found, "the error of the stress does not fall")) << found.json["verdict"];
 }
 
-TEST_F(JudgeBeyondSight, AUnitOfTheMapThatMakesTheBodyTooLargeIsWarnedOf) {
+TEST_F(LongJudgeBeyondSight, AUnitOfTheMapThatMakesTheBodyTooLargeIsWarnedOf) {
   Planted planted;
   scale(planted, 1e3);
   const auto warnings = [&](const std::string& unit) {

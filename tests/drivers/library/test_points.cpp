@@ -214,7 +214,7 @@ TEST(Points, OutsideAVortexAreAtRest) {
   EXPECT_EQ(found.x[0], 2);
 }
 
-TEST(Points, BeyondTheEndOfATableHaveACodeOfTheirOwn) {
+TEST(LongPoints, BeyondTheEndOfATableHaveACodeOfTheirOwn) {
   const auto problem = opened(vortex_text(plastic), .5);
   const auto points = points_at(problem, {.9, .2}, 2);
   evaluated(points, .5, 1);

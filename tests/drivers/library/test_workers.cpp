@@ -39,6 +39,7 @@ class Workers : public testing::Test {
            "', density: 1000" + more + "}\nforce: {tolerance: 1e-4, cache: false}\n";
   }
 };
+using LongWorkers = Workers;
 
 /// The processes whose ancestor is this one.
 std::vector<pid_t> descendants() {
@@ -103,7 +104,7 @@ TEST_F(Workers, GiveTheFieldsOfTheModel) {
 
 /// A copy of the host has workers of its own, whose answers do not mix with the host's. The material is asked at each
 /// time.
-TEST_F(Workers, OfAHostThatForks) {
+TEST_F(LongWorkers, OfAHostThatForks) {
   constexpr unsigned patience_s = 60;
   const auto ask = [](const Owned<assay_points>& points, double t) { return evaluated(points, t, 1).front().P[1]; };
   const std::string scene =
@@ -194,7 +195,7 @@ TEST_F(Workers, WhoseModelCrashesAreAFinding) {
 }
 
 /// However many parts of the library would ask the model.
-TEST_F(Workers, WhoseModelHangsAreWaitedForOnce) {
+TEST_F(LongWorkers, WhoseModelHangsAreWaitedForOnce) {
   const std::string library = built("tests/foreign/misbehaving_umat.so");
   if (!fs::exists(library)) GTEST_SKIP() << "there is no gfortran";
   constexpr double limit_s = 3;

@@ -26,8 +26,9 @@ class FortranMessages : public SourceTest {
     return all;
   }
 };
+using LongFortranMessages = FortranMessages;
 
-TEST_F(FortranMessages, IntegersByTheirLetterThatTakeRealsAreNamed) {
+TEST_F(LongFortranMessages, IntegersByTheirLetterThatTakeRealsAreNamed) {
   const std::string two = warnings(
       "      REAL*8 NU\n      E=PROPS(1)\n      NU=PROPS(2)\n      MU=E/(2.D0*(1.D0+NU))\n"
       "      LAM=E*NU/((1.D0+NU)*\n     1 (1.D0-2.D0*NU))\n      STRESS(1)=MU+LAM\n");
@@ -40,7 +41,7 @@ TEST_F(FortranMessages, IntegersByTheirLetterThatTakeRealsAreNamed) {
   EXPECT_NE(array.find("NV is an integer"), std::string::npos) << array;
 }
 
-TEST_F(FortranMessages, NoOthersAre) {
+TEST_F(LongFortranMessages, NoOthersAre) {
   for (const char* right :
        {"      INTEGER MU\n      MU=PROPS(1)\n      STRESS(1)=MU\n",
         "      MU=INT(PROPS(1))\n      LAM=NINT(PROPS(2))\n      STRESS(1)=MU+LAM\n",

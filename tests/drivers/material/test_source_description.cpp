@@ -218,7 +218,7 @@ TEST_F(LongSourceDescriptionTest, SizesThatAbaqusDoesNotHandOverAreWarnedOf) {
   EXPECT_NE(warnings("      REAL DTIME\n").find("DTIME is a real of 4 bytes"), std::string::npos);
 }
 
-TEST_F(SourceDescriptionTest, AnotherListOfArgumentsIsWarnedOf) {
+TEST_F(LongSourceDescriptionTest, AnotherListOfArgumentsIsWarnedOf) {
   const auto warnings = [&](const std::string& from, const std::string& to) {
     std::string text = fixed_umat("      X=1\n");
     text.replace(text.find(from), from.size(), to);

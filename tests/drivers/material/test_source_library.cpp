@@ -39,7 +39,7 @@ TEST_F(SourceLibraryTest, IsCompiledOnce) {
   EXPECT_EQ(kept("").size(), 1u) << "what was made on the way is left";
 }
 
-TEST_F(SourceLibraryTest, EachContentHasItsOwn) {
+TEST_F(LongSourceLibraryTest, EachContentHasItsOwn) {
   const std::string source = scratch.write("hooke.f", fixed_umat("      INCLUDE 'own.inc'\n" + hooke_statements));
   scratch.write("own.inc", "      EMOD=1\n");
   const std::string first = built(source);
@@ -86,7 +86,7 @@ TEST_F(LongSourceLibraryTest, BothFormsWithAnyIncludeOfAbaqus) {
 }
 
 // As their authors' compiler takes them.
-TEST_F(SourceLibraryTest, WhatOtherCompilersTakeIsAdapted) {
+TEST_F(LongSourceLibraryTest, WhatOtherCompilersTakeIsAdapted) {
   scratch.write("free.inc", "a = 1\n");
   built(scratch.write("mixed.for", hooke_umat +
                                        "!DEC$ FREEFORM\nsubroutine other(a)\n  implicit none\n  real a\n"
@@ -127,7 +127,7 @@ TEST_F(SourceLibraryTest, OldAndLooseSourcesCompile) {
                                  hooke_statements)));
 }
 
-TEST_F(SourceLibraryTest, ThePreprocessorHasTheMacrosOfAbaqus) {
+TEST_F(LongSourceLibraryTest, ThePreprocessorHasTheMacrosOfAbaqus) {
   for (const char* macro : {"ABQ_LNX86_64", "ABQ_FORTRAN"}) {
     const std::string statements = "#ifndef " + std::string(macro) + "\n      X=(1\n#endif\n" + hooke_statements;
     built(scratch.write("macro.f", fixed_umat(statements)));

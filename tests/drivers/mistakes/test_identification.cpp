@@ -159,7 +159,7 @@ Identification of_two_grids(const MistakeFamily& family, double coarse, double f
 }
 
 /// Many methods damp velocities by themselves, on coarse grids more.
-TEST(MistakeOfMethods, IsNamedOnlyWhereItStays) {
+TEST(LongMistakeOfMethods, IsNamedOnlyWhereItStays) {
   for (const MistakeFamily& family : mistake_families()) {
     if (!family.of_methods) continue;
     Identification found = of_two_grids(family, 2, 2);

@@ -350,7 +350,7 @@ TEST(LongPathTabulation, ALimitLoadOfOneUnknownIsNamed) {
 }
 
 /// Two functions with knots that rounding has made two: no row follows another by less.
-TEST(PathTabulation, NoTwoRowsStandWithinRounding) {
+TEST(LongPathTabulation, NoTwoRowsStandWithinRounding) {
   const Found found = tabulated(
       "material: {adapter: compressible_fluid, parameters: {bulk_modulus: 1.0e+3, viscosity: 1.0}}\n"
       "path: {control: {L12: {type: sine, amplitude: 1.0, period: 3.3}, L11: {type: sine, amplitude: 0.1, period: "

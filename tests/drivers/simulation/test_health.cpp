@@ -192,7 +192,7 @@ TEST(DyingRun, LeavesASceneThatAsksForNoMoreSnapshotsThanItMay) {
 }
 
 /// At the beginning nothing errs, and the picture has one colour.
-TEST(DyingRun, ShowsItsLastMomentWithoutSnapshots) {
+TEST(LongDyingRun, ShowsItsLastMomentWithoutSnapshots) {
   const ScratchFolder scratch;
   std::vector<std::string> seen = dying;
   seen.emplace_back("output.pictures=true");

@@ -98,7 +98,7 @@ TEST(Problem, RefusesAWaveThatNoNumberHolds) {
 }
 
 /// The step is given: no number of steps tells it.
-TEST(Problem, RefusesSpeedsThatNoNumberHolds) {
+TEST(LongProblem, RefusesSpeedsThatNoNumberHolds) {
   const std::string said = refusal_of([] {
     assemble(scene_from_text("motion: {type: bar_1d, wave_speed: 1e300}\n"
                              "material: {adapter: neo_hookean, parameters: {E: 1e3, nu: 0}, density: 1}\n"

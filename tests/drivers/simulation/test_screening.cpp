@@ -92,7 +92,7 @@ TEST(Screening, SaysNothingOfAStableMotionButItsFigures) {
   EXPECT_TRUE(result_in(out)["screen"]["verdict"].is_null());
 }
 
-TEST(Screening, EvalAndTabulateWarnAndGoOn) {
+TEST(LongScreening, EvalAndTabulateWarnAndGoOn) {
   const ScratchFolder scratch;
   const std::string points = scratch.write("points.csv", "X,Y,t\n1.1,0,0.75\n");
   const std::vector<std::string> sets{"--set", jaumann, "--set", "expect={}", "--set", "force.tolerance=1e-6"};
@@ -117,7 +117,7 @@ TEST(Screening, EvalAndTabulateWarnAndGoOn) {
 }
 
 /// A material that ends just beyond the path: stable as far as it was judged, with a warning, and the run goes on.
-TEST(Screening, WarnsOfPlacesThatItCouldNotJudge) {
+TEST(LongScreening, WarnsOfPlacesThatItCouldNotJudge) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out", plugin = built("tests/plugins/fails_midway.so");
   const double peak = (0.4 - 4e-5) / 7.0656;  // the material refuses |gamma| > 0.4

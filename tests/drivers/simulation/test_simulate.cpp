@@ -55,7 +55,7 @@ TEST(ZeroMotion, IsWarnedOf) {
   EXPECT_FALSE(warned("output.errors=1"));
 }
 
-TEST(PeakMemory, GrowsWithWhatIsTouched) {
+TEST(LongPeakMemory, GrowsWithWhatIsTouched) {
   const std::int64_t before = peak_memory();
   EXPECT_GT(before, 1 << 20);
   constexpr std::size_t bytes = std::size_t{512} << 20;

@@ -58,7 +58,7 @@ TEST(ExitGuard, AModelThatCrashesIsOneLine) {
 }
 
 /// Of a run with a built-in model, which takes longer than this test lets it live.
-TEST(ExitGuard, ASignalFromOutsideIsNoCrashOfAModel) {
+TEST(LongExitGuard, ASignalFromOutsideIsNoCrashOfAModel) {
   const ScratchFolder scratch;
   const std::vector<std::string> words{"run", scene, "-o", scratch / "out", "--set", "grid.spacing=0.02", "--quiet"};
   for (const int signal : {SIGABRT, SIGSEGV, SIGFPE, SIGXCPU}) {

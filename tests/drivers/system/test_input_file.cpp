@@ -54,7 +54,7 @@ TEST(InputFile, WhatIsNoRegularFileIsRefusedAtOnce) {
   ::close(server);
 }
 
-TEST(InputFile, APipeInAnyRoleIsALineAndNotAWait) {
+TEST(LongInputFile, APipeInAnyRoleIsALineAndNotAWait) {
   const ScratchFolder scratch;
   for (const char* name : {"pipe", "pipe.yaml", "pipe.f", "pipe.so"}) ::mkfifo((scratch / name).c_str(), 0600);
   scratch.write("study.yaml", "scene: pipe.yaml\naxes: {grid.spacing: [0.1]}\n");
@@ -80,7 +80,7 @@ TEST(InputFile, APipeInAnyRoleIsALineAndNotAWait) {
   }
 }
 
-TEST(InputFile, AHyphenIsStandardInputWhateverIsRead) {
+TEST(LongInputFile, AHyphenIsStandardInputWhateverIsRead) {
   const ScratchFolder scratch;
   const std::string text = bytes_of(scene), points = "X,Y,t\n1,0,0.5\n";
   EXPECT_EQ(with_input(scratch, {"tabulate", "-", "--quiet"}, text).status, 0);

@@ -37,6 +37,7 @@ class Terminal : public RegistryTest {
     for (std::string line; std::getline(lines, line);) EXPECT_FALSE(line.starts_with("FORGED")) << text;
   }
 };
+using LongTerminal = Terminal;
 
 TEST_F(Terminal, LabelsOfALibraryAreText) {
   const std::string library = plugins + "hostile_labels.so";
@@ -48,7 +49,7 @@ TEST_F(Terminal, LabelsOfALibraryAreText) {
   expect_clean(said({"materials"}));
 }
 
-TEST_F(Terminal, PathsAreText) {
+TEST_F(LongTerminal, PathsAreText) {
   fs::create_directory(folder / hostile);
   fs::copy_file(plugins + "frozen_1_0.so", folder / hostile / "m.so");
   const std::string scene = tree_folder() + "/configs/paper/tabulate_neo_hookean.yaml";

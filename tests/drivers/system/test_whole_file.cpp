@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Nobody waits for ever for a reader.
-TEST(WholeFile, APipeThatNobodyReadsIsSaid) {
+TEST(LongWholeFile, APipeThatNobodyReadsIsSaid) {
   const ScratchFolder scratch;
   const std::string pipe = scratch / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

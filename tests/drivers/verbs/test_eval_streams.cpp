@@ -110,7 +110,7 @@ TEST_F(EvalStreams, BadInputIsRefusedBeforeAnythingIsWritten) {
   }
 }
 
-TEST_F(EvalStreams, AFullDiskLeavesNothing) {
+TEST_F(LongEvalStreams, AFullDiskLeavesNothing) {
   const std::string text = many_points(20'000);
   const std::size_t before = files() + 1;
   for (const char* out : {"out.csv", "out.npy", "out.npz", "out.vtu"}) {

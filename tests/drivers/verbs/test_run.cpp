@@ -124,7 +124,7 @@ TEST(Run, WithoutABodyForceThereIsNoErrorToTell) {
   for (const auto& pass : result["passes"]) EXPECT_NE(pass["name"], "body_force");
 }
 
-TEST(Run, SquareIsLargerInParticlesButNotInWork) {
+TEST(LongRun, SquareIsLargerInParticlesButNotInWork) {
   const ScratchFolder scratch;
   const std::string out = scratch / "out";
   ASSERT_EQ(run(quick(out, {"body={domain: square, outside: held}", "grid.spacing=0.1"})), 0);

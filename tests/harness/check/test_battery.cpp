@@ -139,7 +139,7 @@ TEST(Battery, EveryDiagnosisIsPlantedOnTwoKindsOfModel) {
 }
 
 /// Rounding of single precision is no defect, whatever the moduli.
-TEST(Battery, PassesSinglePrecisionAtAnyModuli) {
+TEST(LongBattery, PassesSinglePrecisionAtAnyModuli) {
   const auto all = check_tests::total_mutants::subjects();
   const auto single =
       std::find_if(all.begin(), all.end(), [](const auto& subject) { return subject.name == "single_precision"; });

@@ -82,7 +82,7 @@ std::size_t expect_named_in_plane(const std::vector<Subject>& subjects) {
   return named;
 }
 
-TEST(BatteryInPlane, WhatIsRightPassesAndWhatIsWrongThereIsNamed) {
+TEST(LongBatteryInPlane, WhatIsRightPassesAndWhatIsWrongThereIsNamed) {
   EXPECT_GT(expect_named_in_plane(check_tests::few_subjects()), 40u);
 }
 TEST(LongBatteryInPlane, AllThatIsWrongThereIsNamed) { EXPECT_GT(expect_named_in_plane(all_subjects()), 110u); }

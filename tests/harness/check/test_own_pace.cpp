@@ -43,7 +43,7 @@ const Relaxing relaxing[] = {
            {"E", 1e3}, {"yield_stress", 1}, {"reference_rate", 1e-3 / time}, {"reference_stress", 1}};
      }}};
 
-TEST(OwnPace, RightModelsPassHoweverFastTheyRelax) {
+TEST(LongOwnPace, RightModelsPassHoweverFastTheyRelax) {
   for (const Relaxing& model : relaxing) {
     for (const double time : {0.01, 1e-4, 1e-6, 1e-9}) {
       const Report report = quickly(*builtin_material(model.entry, model.at(time)));

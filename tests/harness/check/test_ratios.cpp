@@ -30,7 +30,7 @@ TEST(Ratios, ElasticModelsPass) {
   expect_right("hypoelastic_jaumann", assay_builtin_hypoelastic_jaumann, {});
 }
 
-TEST(Ratios, PlasticModelsPass) {
+TEST(LongRatios, PlasticModelsPass) {
   const std::map<std::string, double> soft{{"yield_stress", 5}, {"hardening_modulus", 50}};
   expect_right("j2_jaumann", assay_builtin_j2_jaumann, soft);
   expect_right("j2_multiplicative", assay_builtin_j2_multiplicative, soft);

@@ -49,7 +49,7 @@ void expect_same(const Make& make, const std::vector<double>& all = with_others)
   for (const double E : all) EXPECT_EQ(verdicts_of(report_of(*make(E))), usual) << E;
 }
 
-TEST(SizeOfStress, ElasticModelsAreJudgedAlike) {
+TEST(LongSizeOfStress, ElasticModelsAreJudgedAlike) {
   expect_same([](double E) {
     return builtin_material(assay_builtin_orthotropic_cylindrical, {{"E_r", E},
                                                                     {"E_t", 2 * E},
@@ -65,7 +65,7 @@ TEST(SizeOfStress, ElasticModelsAreJudgedAlike) {
   expect_same([](double E) { return builtin_material(assay_builtin_hypoelastic_jaumann, {{"E", E}, {"nu", 0.3}}); });
 }
 
-TEST(SizeOfStress, PlasticModelsAreJudgedAlike) {
+TEST(LongSizeOfStress, PlasticModelsAreJudgedAlike) {
   expect_same([](double E) { return j2(assay_builtin_j2_jaumann, E); });
   expect_same([](double E) { return j2(assay_builtin_j2_multiplicative, E); });
   expect_same([](double E) {

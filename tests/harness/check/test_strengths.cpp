@@ -34,7 +34,7 @@ void expect_right(const char* name, assay_material_entry_function entry, const c
   }
 }
 
-TEST(Strengths, PlasticModelsPass) {
+TEST(LongStrengths, PlasticModelsPass) {
   expect_right("j2_jaumann", assay_builtin_j2_jaumann, "yield_stress", {});
   expect_right("j2_multiplicative", assay_builtin_j2_multiplicative, "yield_stress", {});
   expect_right("drucker_prager", assay_builtin_drucker_prager, "cohesion", {{"friction", 0}});
@@ -45,7 +45,7 @@ TEST(Strengths, AConeWithoutCohesionPasses) {
   expect_right("drucker_prager", assay_builtin_drucker_prager, "cohesion", {{"friction", 0.2}});
 }
 
-TEST(Strengths, WhatHardensPasses) {
+TEST(LongStrengths, WhatHardensPasses) {
   for (const assay_material_entry_function entry : {assay_builtin_j2_jaumann, assay_builtin_j2_multiplicative})
     expect_right("hardening J2", entry, "yield_stress", {{"hardening_modulus", 100}});
   expect_right("hardening cone", assay_builtin_drucker_prager, "cohesion",

@@ -224,7 +224,7 @@ const std::vector<Known> known{
     {"steel", check_tests::cubic_moduli(269, 115, 77), SymmetryClass::isotropic, 0},
 };
 
-TEST(SymmetryClass, KnownCrystalsAreFoundAtAnyOrientation) {
+TEST(LongSymmetryClass, KnownCrystalsAreFoundAtAnyOrientation) {
   std::mt19937 random(1);
   for (const Known& crystal : known) {
     for (int k = 0; k < 20; ++k) {

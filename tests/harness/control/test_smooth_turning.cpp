@@ -68,7 +68,7 @@ void expect_same_at_all_counts(const Material& material, const Control& control,
   }
 }
 
-TEST(SmoothTurning, MetalsUnloadWhereTheyTurn) {
+TEST(LongSmoothTurning, MetalsUnloadWhereTheyTurn) {
   const std::map<std::string, double> metal{
       {"E", 1000}, {"nu", 0.3}, {"yield_stress", 8}, {"hardening_modulus", 50}, {"kinematic_modulus", 60}};
   for (const assay_material* model :

@@ -264,7 +264,7 @@ TEST(DomainAverage, EdgesSplitAtTheRingConvergeAndUnsplitOnesDoNot) {
   EXPECT_GT(plain[1], 50 * split[1]);
 }
 
-TEST(DomainAverage, EdgesSplitAtFrontsConvergeAndUnsplitOnesDoNot) {
+TEST(LongDomainAverage, EdgesSplitAtFrontsConvergeAndUnsplitOnesDoNot) {
   const Vortex vortex = paper_vortex();
   const MadeUp model{.kink = 2000};
   const RadiiOfXi radii_of_xi(vortex);

@@ -108,7 +108,7 @@ Errors errors_of(const Vortex3d& motion, const HexahedronRule& rule) {
   return errors;
 }
 
-TEST(Hexahedra, MeansOfTheBodyForceAreThoseOfPoints) {
+TEST(LongHexahedra, MeansOfTheBodyForceAreThoseOfPoints) {
   struct Row {
     Vortex3d motion;
     HexahedronRule rule;

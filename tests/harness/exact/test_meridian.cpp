@@ -105,7 +105,7 @@ Deviations deviations(const ExactSolution& exact, const BruteForce& brute, const
   return found;
 }
 
-TEST(Meridian, BodyForceIsThatOfDifferences) {
+TEST(LongMeridian, BodyForceIsThatOfDifferences) {
   for (const Model& model : smooth_models()) {
     for (const auto& [motion, name] : cases()) {
       const BruteForce brute(motion.one, motion.amplitude, model.material, rho, step * motion.one.radius);
@@ -122,7 +122,7 @@ TEST(Meridian, BodyForceIsThatOfDifferences) {
 }
 
 /// tau33 and b along the axis are there with these models, so that leaving them out is seen: the controls.
-TEST(Meridian, WhatAPlaneVortexDoesNotHaveIsSeen) {
+TEST(LongMeridian, WhatAPlaneVortexDoesNotHaveIsSeen) {
   for (const Model& model : smooth_models()) {
     if (model.name == "neo_hookean") continue;
     const Revolution shape = shapes(4, {1, 2, 3}, {0, 0, 0})[0];

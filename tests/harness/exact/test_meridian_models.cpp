@@ -53,7 +53,7 @@ TEST(MeridianModels, ADirectionAlongTheAxesOfTheShearIsServed) {
   }
 }
 
-TEST(MeridianModels, OfPlasticityFartherThanADifferenceFromItsFronts) {
+TEST(LongMeridianModels, OfPlasticityFartherThanADifferenceFromItsFronts) {
   const auto material = builtin_material(
       assay_builtin_j2_jaumann,
       {{"E", 1e6}, {"nu", 0.3}, {"yield_stress", 1.5e4}, {"hardening_modulus", 1e5}, {"kinematic_modulus", 1e5}});

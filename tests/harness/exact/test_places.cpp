@@ -100,7 +100,7 @@ void expect_same_bits(std::span<const double> a, std::span<const double> b, cons
     ASSERT_TRUE(a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i]))) << what;
 }
 
-TEST(Places, AFieldDoesNotDependOnWhatElseIsAsked) {
+TEST(LongPlaces, AFieldDoesNotDependOnWhatElseIsAsked) {
   for (const int which : {0, 1, 2}) {
     for (const Case& c : cases(which, 700)) {
       const auto places = c.exact->places(c.X);
@@ -130,7 +130,7 @@ TEST(Places, AFieldDoesNotDependOnWhatElseIsAsked) {
   }
 }
 
-TEST(Places, AFieldDoesNotDependOnTheTimesThatWereAskedBefore) {
+TEST(LongPlaces, AFieldDoesNotDependOnTheTimesThatWereAskedBefore) {
   for (const int which : {0, 1, 2}) {
     for (const Case& c : cases(which, 20)) {
       const auto places = c.exact->places(c.X);

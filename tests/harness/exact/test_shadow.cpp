@@ -33,7 +33,7 @@ double difference_to_sheet(const std::shared_ptr<const Material>& material, int 
   return largest / sheet.error().tau_scale;
 }
 
-TEST(Shadow, ConvergesToTheSheetWithTheNumberOfRadii) {
+TEST(LongShadow, ConvergesToTheSheetWithTheNumberOfRadii) {
   double stated = 0;
   const auto smooth = builtin_material(assay_builtin_hypoelastic_green_naghdi, elastic);
   const double coarse = difference_to_sheet(smooth, 30, stated);

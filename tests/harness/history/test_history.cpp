@@ -42,7 +42,7 @@ TEST(History, AgreesBetweenIncrementsAndRates) {
 }
 
 /// Ten thousand million radians would take hours; it is a failure that shorter steps do not cure.
-TEST(History, GivesUpAMotionOfTooManyTurns) {
+TEST(LongHistory, GivesUpAMotionOfTooManyTurns) {
   RotatingStretch motion;
   motion.stretch = 0.5, motion.rotation = 1e10;
   const Path path = motion.baseline();
@@ -61,7 +61,7 @@ TEST(History, GivesUpAMotionOfTooManyTurns) {
 }
 
 /// A stress of increments that converges with the tenth root of their length: with a larger tolerance it is found.
-TEST(History, SaysThatIncrementsConvergeTooSlowly) {
+TEST(LongHistory, SaysThatIncrementsConvergeTooSlowly) {
   static const auto inner = builtin_material(assay_builtin_hypoelastic_jaumann, elastic);
   static assay_material slow;
   slow = inner->table();

@@ -12,7 +12,7 @@
 namespace assay::test_force_error {
 namespace {
 
-TEST(ForceError, BoundsTheDifferenceToABetterSheet) {
+TEST(LongForceError, BoundsTheDifferenceToABetterSheet) {
   const Vortex vortex{0.75, 1.25, 2, {Amplitude::Type::sine, 0.1, 1.0}};
   const auto material = builtin_material(assay_builtin_j2_jaumann,
                                          {{"E", 1000}, {"nu", 0.3}, {"yield_stress", 10}, {"hardening_modulus", 20}});

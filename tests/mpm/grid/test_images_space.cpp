@@ -86,7 +86,7 @@ double apart(const State<3>& part, const State<3>& whole) {
 
 const std::vector<std::array<bool, 3>> parts{{false, false, true}, {true, false, true}, {true, true, true}};
 
-TEST(PlanesInSpace, CutTheSymmetricCubeWithoutATrace) {
+TEST(LongPlanesInSpace, CutTheSymmetricCubeWithoutATrace) {
   for (const Method& method : methods_with_planes) {
     Simulation<3> whole(part_of_cube(method, {}));
     take_steps(whole);

@@ -156,7 +156,7 @@ TEST(PatchTestsInSpace, CatchDefectsOfTheWeights) {
   for (const SpaceDefect& defect : weight_defects()) expect_caught_in(defect);
 }
 
-TEST(PatchTestsInSpace, CatchDefectsOfTheStress) {
+TEST(LongPatchTestsInSpace, CatchDefectsOfTheStress) {
   for (const SpaceDefect& defect : stress_defects()) expect_caught_in(defect);
 }
 

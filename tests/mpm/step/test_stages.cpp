@@ -111,7 +111,7 @@ double order(const Method& method, const State<2>& exact, int steps) {
 
 // Against the same grid in steps so short that time errs by nothing. The controls show that the order is the
 // integrator's: they go to the same limit, each in its own way.
-TEST(Stages, AreOfFourthOrderWhereLeapfrogIsOfSecondAndEulerOfFirst) {
+TEST(LongStages, AreOfFourthOrderWhereLeapfrogIsOfSecondAndEulerOfFirst) {
   for (const Mass mass : masses) {
     const auto exact = vortex_after(staged(mass), 96);
     EXPECT_NEAR(order(staged(mass), exact->state(), 16), 4, 0.2);
@@ -125,7 +125,7 @@ TEST(Stages, AreOfFourthOrderWhereLeapfrogIsOfSecondAndEulerOfFirst) {
 }
 
 // Many periods of a body of period 0.35 s: the error of the energy swings within bounds of fourth order.
-TEST(Stages, KeepTheEnergyOfABodyThatSwingsForLong) {
+TEST(LongStages, KeepTheEnergyOfABodyThatSwingsForLong) {
   constexpr double step = 0.01;
   constexpr int steps = 4000;
   for (const Mass mass : masses) {

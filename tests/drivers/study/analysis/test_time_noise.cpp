@@ -45,7 +45,7 @@ double share_told_apart(int repeats, double sigma, double factor, double disturb
 }
 
 // The rates that docs/studies.md states.
-TEST(TimeNoise, NoiseAloneIsNotToldApart) {
+TEST(LongTimeNoise, NoiseAloneIsNotToldApart) {
   for (const int repeats : {3, 5, 10}) {
     for (const double sigma : {0.002, 0.02, 0.05, 0.1})
       EXPECT_LE(share_told_apart(repeats, sigma, 1), 1e-3) << repeats << " " << sigma;

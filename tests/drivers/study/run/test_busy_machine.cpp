@@ -41,7 +41,7 @@ std::string unwrapped(std::string text) {
   return text;
 }
 
-TEST(BusyMachine, StudyReportComparisonAndRecommendationSaySo) {
+TEST(LongBusyMachine, StudyReportComparisonAndRecommendationSaySo) {
   const SmallStudy small(
       "scene: " + tree_folder() +
       "/configs/paper/vortex_square.yaml\n"

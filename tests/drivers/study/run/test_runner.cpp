@@ -60,6 +60,7 @@ class RunnerTest : public testing::Test {
   RunnerOptions options_;
   std::vector<RunnerReport> reports_;
 };
+using LongRunnerTest = RunnerTest;
 
 TEST_F(RunnerTest, RunsEveryCaseOnce) {
   for (const char* key : {"a", "b", "c"}) add(key);
@@ -147,7 +148,7 @@ TEST_F(RunnerTest, NoResultAndAStatusAboveOneAreACrash) {
   EXPECT_EQ(store_.read(plan_.cases[2]).outcome, "completed") << "an expectation of the scene is no crash";
 }
 
-TEST_F(RunnerTest, ALimitStopsACase) {
+TEST_F(LongRunnerTest, ALimitStopsACase) {
   add("slow", "sleep 100\n");
   add("fast");
   plan_.study.case_seconds = 2;

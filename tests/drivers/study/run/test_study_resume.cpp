@@ -135,7 +135,7 @@ TEST_P(StudySignals, FinishedCasesStay) {
 
 INSTANTIATE_TEST_SUITE_P(Signals, StudySignals, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
-TEST(StudyResume, ManyJobsFindTheSameAsOne) {
+TEST(LongStudyResume, ManyJobsFindTheSameAsOne) {
   const SmallStudy small;
   ASSERT_EQ(small.run("one", {"--jobs", "1"}).status, 0);
   ASSERT_EQ(small.run("four", {"--jobs", "4"}).status, 0);
