@@ -17,37 +17,36 @@ set(watched_by_test_harness
 set(watched_by_test_adapters
   AbaqusHost AbaqusUtilities AbsentRoutines AllModels Builtin Callbacks ComponentOrder Descendants ElfSymbols EveryModel
   FencedMisdeed FencedModel FieldsOf ForeignLibrary ForeignNeoHookean ForeignState Forked GoodForeignModel GuardedArrays
-  Harmless HighFiles HistoryOfMisdeeds KeptOutput KeptProcess LastLine Library MalformedBehaviour Mfront MfrontMetadata
-  Misbehaves MissingFile NeededLibraries OtherVendors OwnFolder PlaneStressUmat Probe ProcessWatch RemoteHistories
+  Harmless HighFiles KeptOutput KeptProcess LastLine Library MalformedBehaviour Mfront MfrontMetadata
+  MissingFile NeededLibraries OtherVendors OwnFolder PlaneStressUmat Probe ProcessWatch
   RemoteTable Replay SharedMemory SpinHabit Vumat VumatBlocks WrittenInputs)
 set(watched_by_test_mpm
   AntiLocking Blocks ClippedLattice Compose Corners Crew Disturb GaussLattice GridPasses Images Lattice LiveNodes
   MassPreconditioner MassStencil Massless MaterialBatches Offload OnLines ParticleOrder PatchBench PatchBenchInSpace
-  PolarLattice Simulation SmallMass Sweep)
+  PolarLattice Simulation SmallMass)
 set(watched_by_test_drivers
   # scenes and what they name
-  DeformationCsv Dimension Expect InitialStress KeyValues Resolved SceneCheck SceneReader SceneUnits Schema Settings
+  DeformationCsv Dimension Expect InitialStress KeyValues Resolved SceneCheck SceneReader Schema Settings
   Slips Vortex3dScenes RelativePaths OpenFiles
   # other files that are read
   Csv CsvFields FileKind Npy NpyRowsTest ParticleTables UnitRows YamlReader YamlWriter ZipTest HistoryFile
   MtestDamage MtestFile MtestFormula NiemunisDamage NiemunisFile PathScene PathUnits PointGrids SharedColumn
-  AxesReader StudyReader StudySchema CaseStoreTest CaseList PointReaderTest
+  AxesReader StudyReader CaseStoreTest CaseList PointReaderTest
   # words and numbers
   CommandLine NumberFormat Numbers Sha256 Units Unseen Words WrappedText InputBytes InputError InputFile OutputBytes
   # materials from descriptions and sources
   AbaqusDeck BadForeignKey ForeignDescription FortranAdapted FortranColumns FortranForm FortranMessages FortranRoutines
-  FortranText MaterialChoices MaterialTable Registry SourceDescriptionTest DamagedLibraries
+  FortranText MaterialChoices Registry SourceDescriptionTest DamagedLibraries
   # what is written
   Decks ForcePieces ForceTables Npz TableRoutines CellsInVtk ErrorsCsv Junit OutputFolderTest PointColumns PointsCsv
-  Report TimeList Vtu VtuCells JsonFigure ResultFields ResultJson RunJUnit Verdict Canvas ColorMap Drawing LabelPlacer
+  Report TimeList Vtu VtuCells JsonFigure ResultFields ResultJson Verdict Canvas ColorMap Drawing LabelPlacer
   LinePlot StrokeFont Ticks SpaceDrawing StabilityMap StudyMarkdown StudyTables StudyText StudyWords WorkPrecisionPlot
   # what is computed, each once
-  Compare Eval EvalColumns EvalStatic EffectList PathFields PathPlaneStress Problem Rim Seeds ErrorFigures ExactStress
-  HealthWatch KeptNumbers MemoryInSpace StepClock StandardSet BinnedErrors PerturbedScene JudgeMaps Beyond BeyondWords
-  CheckElements CheckReport CheckText MethodsTable StateBlocks Analysis Comparison Recommendation Survival Plan Sampling
+  Compare Eval EvalColumns EvalStatic PathFields Problem Rim Seeds ErrorFigures ExactStress
+  HealthWatch KeptNumbers MemoryInSpace StepClock StandardSet BinnedErrors PerturbedScene JudgeMaps BeyondWords
+  CheckReport CheckText MethodsTable Analysis Comparison Recommendation Survival Plan Sampling
   Selection Budget
-  # the ends of processes
-  DyingRun Interrupt KilledByItself DeathInAWorker ExitGuard)
+  Interrupt)
 set(watched_by_test_library Cells Mesh Structs DamagedCalls Points Problem Arithmetic OneRounding)
 set(watched_by_test_fuzz_corpus FuzzCorpus)
 set(watched_by_test_mutants Sample RunFaults)

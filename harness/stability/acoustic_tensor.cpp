@@ -103,7 +103,8 @@ Model model_at(const Acoustic& acoustic, const Vector3& N, double scale) {
 
 /// Newton's step downhill, no longer than the radius.
 Eigen::Vector2d step_of(const Model& f, double radius, double scale) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(f.curvature);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeDirect(f.curvature);
   Eigen::Vector2d y = Eigen::Vector2d::Zero();
   for (int k = 0; k < 2; ++k) {
     const Eigen::Vector2d e = solver.eigenvectors().col(k);

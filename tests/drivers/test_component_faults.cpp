@@ -161,8 +161,6 @@ TEST_P(LongFaultOfAComponent, IsSeenBeforeTheRun) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Interfaces, FaultOfAComponent, testing::ValuesIn(interfaces),
-                         [](const auto& which) { return which.param.name; });
 INSTANTIATE_TEST_SUITE_P(Interfaces, LongFaultOfAComponent, testing::ValuesIn(interfaces),
                          [](const auto& which) { return which.param.name; });
 
