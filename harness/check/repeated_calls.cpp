@@ -101,7 +101,8 @@ void compare_over(const Material& material, const Steps& steps, MemoryEffect& ef
     const auto over = [&](unsigned char byte) {
       return with.difference(0, alone_over<Over>(byte, material, steps, p));
     };
-    if (over(0) > 0 || over(0) > 0) continue;
+    const double again = over(0), once_more = over(0);
+    if (again > 0 || once_more > 0) continue;
     for (const unsigned char byte : unset_bytes) {
       const double difference = over(byte);
       if (!(difference > most_of_repeats) || over(0) > 0) continue;

@@ -31,7 +31,7 @@ const std::vector<std::string> limits{"limits.particle_steps=100000", "limits.me
 const Bounds bounds = sanitized() ? Bounds{.cpu_s = 200} : Bounds{.cpu_s = 20, .address_bytes = std::int64_t{2} << 30};
 const Promise promise = sanitized() ? Promise{.cpu_s = 150, .resident_bytes = std::int64_t{1536} << 20}
                                     : Promise{.cpu_s = 15, .resident_bytes = std::int64_t{256} << 20};
-const int in_sample = sanitized() ? 40 : 60;
+const int in_sample = sanitized() ? 20 : 60;
 
 const Mutants& mutants() {
   static const Mutants all = mutants_of_the_tree();
